@@ -106,7 +106,7 @@ def main() -> None:
     with tempfile.TemporaryDirectory() as temporary:
         docs = pathlib.Path(temporary) / "docs"
         texts = gather.pages(root)
-        texts |= reference.python_pages(root) | reference.cpp_pages(root)
+        texts |= reference.python_pages(root) | reference.cpp_page(root)
         texts["gallery.md"] = texts["gallery.md"].replace("<!-- reports -->", gallery_text(given.program, given.live))
         if given.live:
             with_live_page(texts)
@@ -133,19 +133,10 @@ def main() -> None:
         shutil.rmtree(folder, ignore_errors=True)
         config = load_config(str(here / "mkdocs.yml"), docs_dir=str(docs), site_dir=str(folder), strict=True)
         config["mdx_configs"]["toc"]["slugify"] = gather.slug
-        config["nav"] = with_cpp_pages(config["nav"], texts)
         build(config)
     formulas.render(folder)
     write_search(folder)
     print(f"{folder / 'index.html'}")
-
-
-def with_cpp_pages(nav: list, texts: dict[str, str]) -> list:
-    """The navigation, with a page for each folder of src/."""
-    names = sorted(name for name in texts if name.startswith("reference/cpp/") and not name.endswith("index.md"))
-    pages = ["reference/cpp/index.md", *({name[len("reference/cpp/"):-3]: name} for name in names)]
-    return [{top: [{"C++": pages} if entry == {"C++": "reference/cpp/"} else entry for entry in entries]
-             if isinstance(entries, list) else entries for top, entries in part.items()} for part in nav]
 
 
 def write_search(folder: pathlib.Path) -> None:

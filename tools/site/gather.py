@@ -95,9 +95,6 @@ def with_links_of_the_site(texts: dict[str, str], root: pathlib.Path) -> dict[st
             path = f"{path}/README.md"
         if path in by_source:
             return by_source[path] + anchor
-        if path.startswith("src/") and path.endswith(".hpp"):
-            library, header = reference.target_and_include(root, root / path)
-            return f"reference/cpp/{library}.md#{slug(header)}"
         origin = root / path
         if origin.is_dir():
             name = f"files/{path}/index.md"
@@ -121,9 +118,9 @@ def with_links_of_the_site(texts: dict[str, str], root: pathlib.Path) -> dict[st
             relative = os.path.relpath(there, os.path.dirname(name) or ".")
             return f"]({relative})"
 
+        text = _with_links_to_headers(text, name, root)
         text = outside_code(text, lambda part: re.sub(r"\]\(source:([^)#]+)(#[^)]*)?\)", change, part), spans=False)
-        text = _with_links_to_interpretations(text, name)
-        texts[name] = _with_links_to_headers(text, name, root)
+        texts[name] = _with_links_to_interpretations(text, name)
     texts |= more
     return copies
 
@@ -136,18 +133,16 @@ def _with_links_to_interpretations(text: str, name: str) -> str:
 
 
 def _with_links_to_headers(text: str, name: str, root: pathlib.Path) -> str:
-    """`cell/spring.hpp` in the text becomes a link to the reference of that header."""
+    """`cell/spring.hpp` in the text becomes a link to the page of that header."""
     if name.startswith(("reference/", "files/")):
         return text
-    here = os.path.dirname(name) or "."
-
     folders = reference.libraries(root)
 
     def change(match: re.Match[str]) -> str:
         library, header = match[1], match[2]
         if library not in folders or not (folders[library] / header).is_file():
             return match[0]
-        return f"[{match[0]}]({os.path.relpath(f'reference/cpp/{library}.md', here)}#{slug(header)})"
+        return f"[{match[0]}](source:{(folders[library] / header).relative_to(root).as_posix()})"
 
     def line(text: str) -> str:
         return text if text.startswith("#") else re.sub(r"(?<!\[)`(?:src/(?:\w+/)?)?(\w+)/([\w/]+\.hpp)`(?!\])", change, text)

@@ -1,10 +1,9 @@
-"""Reference pages made from the sources: the Python package by its docstrings, the C++ libraries by their headers."""
+"""Reference pages made from the sources: the Python package by its docstrings, a list of the C++ libraries with their headers."""
 import importlib
 import inspect
 import pathlib
 import re
 import sys
-import textwrap
 
 # The Python package.
 
@@ -143,137 +142,16 @@ def libraries(root: pathlib.Path) -> dict[str, pathlib.Path]:
             if re.search(r"^matrigrate_folder\(", path.read_text(encoding="utf-8"), re.MULTILINE)}
 
 
-def target_and_include(root: pathlib.Path, header: pathlib.Path) -> tuple[str, str]:
-    """The library that holds a header, and the path of the header within its folder."""
-    name, folder = next((folder.name, folder) for folder in header.parents if libraries(root).get(folder.name) == folder)
-    return name, header.relative_to(folder).as_posix()
-
-
-def cpp_pages(root: pathlib.Path) -> dict[str, str]:
-    """A page for each library, a folder of src/ or of one of its wings: its headers with their comments and declarations."""
+def cpp_page(root: pathlib.Path) -> dict[str, str]:
+    """The libraries, folders of src/ or of one of its wings, with links to their headers, which become pages as they stand."""
     what = dict(re.findall(r"^\| `src/(?:\w+/)?(\w+)/` \| (.*?) \|", (root / "CONTRIBUTING.md").read_text(encoding="utf-8"), re.MULTILINE))
-    pages, rows = {}, []
     all_of_them = libraries(root)
-    for folder, place in sorted(all_of_them.items()):
-        headers = sorted(path for path in place.rglob("*.hpp")
-                         if not any(other in path.parents for other in all_of_them.values() if place in other.parents))
-        text = [f"# {folder}\n", _sentence(what.get(folder, "")) + "\n",
-                f"CMake target `Matrigrate::{folder}`; an include reads as `#include \"{headers[0].relative_to(place.parent)}\"`. "
-                "The functions and types are in the namespace `matrigrate` unless stated otherwise.\n"]
-        for header in headers:
-            text.append(f"## {header.relative_to(place).as_posix()}\n")
-            text.append(_cpp_header(header.read_text(encoding="utf-8")))
-        pages[f"reference/cpp/{folder}.md"] = "\n".join(text)
-        names = ", ".join(f"`{header.stem}`" for header in headers)
-        rows.append(f"| [{folder}]({folder}.md) | {what.get(folder, '')} | {names} |")
-    pages["reference/cpp/index.md"] = (
-        "# The C++ libraries\n\nEach folder of `src/`, or of its wings `model`, `run` and `study`, is a library and a CMake target, `Matrigrate::FOLDER`. These pages are made from "
-        "the comments of the headers. [Examples](../../examples.md) show how the parts work together; "
-        "[the model](../../model.md) leads from each equation to its function.\n\n"
-        "| library | holds | headers |\n|---|---|---|\n" + "\n".join(rows) + "\n")
-    return pages
-
-
-def _sentence(text: str) -> str:
-    return text[:1].upper() + text[1:] + ("" if text.endswith(".") else ".") if text else ""
-
-
-def _cpp_header(text: str) -> str:
-    """The comments and declarations of a header. Bodies of functions are left out, those of structs and enums stay."""
-    lines = text.split("\n")
-    made: list[str] = []
-    comment: list[str] = []
-    namespace, k = "matrigrate", 0
-    while k < len(lines):
-        line = lines[k]
-        opened = re.match(r"(?:inline )?namespace ([\w:]+) \{", line)
-        if line.startswith("///"):
-            comment.append(line[3:].removeprefix(" "))
-        elif opened:
-            made.append(_cpp_comment(comment))
-            if opened[1] != namespace:
-                made.append(f"Namespace `{opened[1]}`.\n")
-            namespace, comment = opened[1], []
-        elif line.startswith(("#", "//", "}")) or not line.strip():
-            if comment and not line.strip():
-                made.append(_cpp_comment(comment))
-            comment = [] if not line.startswith("//") else comment
-        else:
-            declaration, k = _declaration(lines, k)
-            if comment or re.match(r"(template|struct|class|enum|inline|using|constexpr|[\w:<>]+ )", declaration):
-                if comment:
-                    made.append(f'```cpp\n{declaration}\n```\n\n<div class="said" markdown>\n\n{_cpp_comment(comment)}\n</div>\n')
-                else:
-                    made.append(f"```cpp\n{declaration}\n```\n")
-            comment = []
-            continue
-        k += 1
-    return "\n".join(part for part in made if part)
-
-
-def _declaration(lines: list[str], k: int) -> tuple[str, int]:
-    """The declaration that begins in line k, and the line after it."""
-    start, depth, text = k, 0, ""
-    body_at = None
-    while k < len(lines):
-        code = re.sub(r'"(?:[^"\\]|\\.)*"|\'(?:[^\'\\]|\\.)\'|//.*', "", lines[k])
-        for c in code:
-            if c == "{" and depth == 0 and body_at is None:
-                body_at = k
-            depth += (c in "{(") - (c in "})")
-        k += 1
-        ended = depth == 0 and (code.rstrip().endswith(";") or (body_at is not None and code.rstrip().endswith("}")))
-        if ended:
-            break
-    text = "\n".join(lines[start:k])
-    head = re.sub(r"\A(?:template <[^\n]*>\n)*", "", text)
-    if re.match(r"(struct|class|enum|union)\b", head) or body_at is None or re.match(r"(inline )?(constexpr|const)\b[^(]*=", head):
-        return re.sub(r"\n\s*private:.*?(?=\n\};)", "", text, flags=re.DOTALL), k
-    signature = text[:_body(text)].rstrip()
-    signature = re.sub(r"\)\s*:\s.*\Z", ")", signature, flags=re.DOTALL)
-    *before, line = re.sub(r"\n\s+", " ", re.sub(r"\[\[gnu::always_inline\]\] |^inline ", "", signature, flags=re.MULTILINE)).split("\n")
-    return "\n".join([*before, *textwrap.wrap(line + ";", 96, subsequent_indent="    ", break_long_words=False,
-                                              break_on_hyphens=False)]), k
-
-
-def _body(text: str) -> int:
-    """Where the body of a function begins: the first brace outside of parentheses."""
-    depth = 0
-    for at, c in enumerate(text):
-        depth += (c == "(") - (c == ")")
-        if c == "{" and depth == 0:
-            return at
-    return len(text)
-
-
-def _cpp_comment(lines: list[str]) -> str:
-    """A comment as Markdown: @param and its like as a list, tables as they stand."""
-    if not lines:
-        return ""
-    text: list[str] = []
-    for line in re.sub(r" +(?=@(?:param|return|throws)\b)", "\n", "\n".join(lines)).split("\n"):
-        tag = re.match(r"@(param|return|throws|note)\s+(.*)", line)
-        if tag:
-            if not any(item.startswith("- ") for item in text[-1:]) and not (text and text[-1].startswith("    ")):
-                text.append("")
-            name, _, rest = tag[2].partition(" ")
-            text.append(f"- `{name}`: {_plain(rest.strip())}" if tag[1] == "param" else
-                        f"- {'returns' if tag[1] == 'return' else 'throws' if tag[1] == 'throws' else 'note:'} {_plain(tag[2])}")
-        elif re.match(r"\s{2,}\S", line) and not (text and text[-1].startswith(("- ", "    "))) or (text and text[-1] == "@code"):
-            text.append("@code " + line)
-        else:
-            text.append("    " + _plain(line) if text and text[-1].startswith(("- ", "    ")) else _plain(line))
-    made, code = [], False
-    for line in text:
-        if line.startswith("@code ") != code:
-            made += ["", "```text"] if not code else ["```", ""]
-            code = not code
-        made.append(line.removeprefix("@code "))
-    return "\n".join(made + (["```"] if code else [])) + "\n"
-
-
-def _plain(text: str) -> str:
-    """Text in which no character is Markdown, but for code spans."""
-    parts = re.split(r"(`[^`]*`)", text)
-    parts[::2] = [re.sub(r"([\\*_<>\[\]|#])", r"\\\1", part) for part in parts[::2]]
-    return "".join(parts)
+    rows = []
+    for library, place in sorted(all_of_them.items()):
+        headers = (path for path in sorted(place.rglob("*.hpp"))
+                   if not any(other in path.parents for other in all_of_them.values() if place in other.parents))
+        links = ", ".join(f"[{header.stem}](source:{header.relative_to(root).as_posix()})" for header in headers)
+        rows.append(f"| {library} | {what.get(library, '')} | {links} |\n")
+    return {"reference/cpp.md": "# The C++ libraries\n\nEach folder of `src/`, or of its wings `model`, `run` and `study`, is a library and a CMake target, "
+            "`Matrigrate::FOLDER`; an include reads as `#include \"FOLDER/HEADER.hpp\"`. [Examples](../examples.md) show how the parts work together; "
+            "[the model](../model.md) leads from each equation to its function.\n\n| library | holds | headers |\n|---|---|---|\n" + "".join(rows)}
