@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Writes the generated parts of docs/validation.md, docs/validation/results.md and docs/performance.md from the tables in docs/validation.
+"""Writes the generated parts of docs/validation.md and docs/validation/results.md from the tables in docs/validation.
 
     tools/validation_page.py [--check]    # with --check: writes nothing; exit code 1 and a diff if a page is stale
 
@@ -9,7 +9,6 @@ copied there by tools/keep_results.sh.
 """
 import argparse
 import csv
-import dataclasses
 import difflib
 import math
 import pathlib
@@ -19,7 +18,7 @@ import sys
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 KEPT = ROOT / "docs/validation"
 BEFORE = KEPT / "before"
-PAGES = ["docs/validation.md", "docs/validation/results.md", "docs/performance.md"]
+PAGES = ["docs/validation.md", "docs/validation/results.md"]
 LENGTH = 15_000  # characters of docs/validation.md, at most
 
 READOUTS = [  # column, name, digits
@@ -213,120 +212,8 @@ def new_seeds(_page: str) -> str:
     return means(rows_of(KEPT / "second-set-results.csv"), NEW_SEEDS, ("v_migr_path_600s_um_per_h", "n_unadhered", "n_simultaneous_mean"))
 
 
-@dataclasses.dataclass
-class Row:
-    """A row that does not hold: what it asks for, and the read-out at a point (less that at another one)."""
-    claim: str
-    wanted: str
-    column: str
-    digits: int
-    point: str  # of the studies of sensitivity
-    kept: tuple[str, str]  # study and label of the same point with the second set
-    less: str = ""
-    kept_less: tuple[str, str] = ("", "")
-
-
-FAILING = [
-    Row("A1", "speed at 50 Pa: 3.7 um/h", "v_migr_abs_um_per_h", 1, "50 Pa", ("stiffness", "youngs_modulus 50 Pa")),
-    Row("A4", "length of protrusions at 400 Pa less that at 50 Pa: below 0 um", "l_prot_um", 1, "400 Pa", ("stiffness", "youngs_modulus 400 Pa"),
-        "50 Pa", ("stiffness", "youngs_modulus 50 Pa")),
-    Row("A8", "protrusions at 0.6 nN less that at 0.2 nN a strand: above 0", "n_protrusions", 1, "200 Pa", ("contraction", "force 0.6 nN"),
-        "F_am 0.2 nN a strand", ("contraction", "force 0.2 nN")),
-    Row("C2", "share of adhesions that end at a low relative force at 50 Pa, zeta_diss 80 /nN less 20 /nN: above 0", "share_f_adh_rel_low", 2, "zeta_diss 80 /nN, 50 Pa",
-        ("sensitive-adhesions", "youngs_modulus 50 Pa"), "50 Pa", ("stiffness", "youngs_modulus 50 Pa")),
-    Row("C2", "protrusions at 200 Pa, zeta_diss 80 /nN less 20 /nN: below 0", "n_protrusions", 1, "zeta_diss 80 /nN, 200 Pa",
-        ("sensitive-adhesions", "youngs_modulus 200 Pa"), "200 Pa", ("stiffness", "youngs_modulus 200 Pa")),
-    Row("C4", "protrusions at 300 Pa, zeta_diss 20 /nN less one rate: above 0", "n_protrusions", 1, "300 Pa", ("stiffness", "youngs_modulus 300 Pa"),
-        "one rate, 300 Pa", ("insensitive-adhesions", "youngs_modulus 300 Pa")),
-    Row("D2", "path at n_prot 3: 26.6 um/h", "v_migr_path_60s_um_per_h", 1, "n_prot 3", ("kept-protrusions", "n_prot 3")),
-    Row("E1", "speed among fibres at n_prot 2: 10.7 um/h", "v_migr_abs_um_per_h", 1, "fibres, n_prot 2",
-        ("kept-protrusions-fibres", "n_prot 2")),
-    Row("E2", "path among fibres at n_prot 2: 21.2 um/h", "v_migr_path_60s_um_per_h", 1, "fibres, n_prot 2", ("kept-protrusions-fibres", "n_prot 2")),
-    Row("E4", "angle of the path off the fibres at n_prot 1: below 45 degrees", "path_angle_deg", 0, "fibres, n_prot 1",
-        ("kept-protrusions-fibres", "n_prot 1")),
-]
-CONDITIONS = ["share 0.10", "share 0.20", "larger pressure", "no wait for rest"]
-
-
-def with_error(values: list[float], less: list[float], digits: int) -> str:
-    """Mean and standard error, of a difference where there is something to take off."""
-    if len(values) < 2 or len(less) == 1:
-        return ""
-    squares = [mean_and_sd(v)[1] ** 2 / len(v) for v in (values, less) if v]
-    mean = mean_and_sd(values)[0] - (mean_and_sd(less)[0] if less else 0.0)
-    return f"{mean:.{digits}f} +- {math.sqrt(sum(squares)):.{digits}f}"
-
-
-def sensitivity(_page: str) -> str:
-    rows = [row for name in ("sensitivity-second", "sensitivity-adhesions") for row in rows_of(KEPT / f"{name}-results.csv")]
-    kept = {study: rows_of(KEPT / f"{study}-results.csv") for study, _ in STUDIES}
-    made = []
-    for row in FAILING:
-        of_kept = [numbers(kept[study], label, row.column) if study else [] for study, label in (row.kept, row.kept_less)]
-        cells = [with_error(*of_kept, row.digits)]
-        for condition in CONDITIONS:
-            values = numbers(rows, f"{condition}: {row.point}", row.column)
-            less = numbers(rows, f"{condition}: {row.less}", row.column)
-            cells.append(with_error(values, less, row.digits) if less or not row.less else "")
-        made.append([row.claim, row.wanted, *cells])
-    return table(["row", "wanted", "second set", *CONDITIONS], made)
-
-
-# Both integrators: Welch's t-test.
-
-
-def two_sided(t: float, df: float) -> float:
-    """p of Student's t, by the continued fraction of the incomplete beta function."""
-    x, a, b = df / (df + t * t), 0.5 * df, 0.5
-    if x > (a + 1.0) / (a + b + 2.0):
-        return 1.0 - beta_share(b, a, 1.0 - x)
-    return beta_share(a, b, x)
-
-
-def beta_share(a: float, b: float, x: float) -> float:
-    if x <= 0.0:
-        return 0.0
-    front = math.exp(math.lgamma(a + b) - math.lgamma(a) - math.lgamma(b) + a * math.log(x) + b * math.log1p(-x)) / a
-    c, d = 1.0, 1.0 / (1.0 - (a + b) * x / (a + 1.0))
-    h = d
-    for m in range(1, 300):
-        for term in (m * (b - m) * x / ((a + 2 * m - 1) * (a + 2 * m)), -(a + m) * (a + b + m) * x / ((a + 2 * m) * (a + 2 * m + 1))):
-            d = 1.0 / (1.0 + term * d)
-            c = 1.0 + term / c
-            h *= d * c
-    return front * h
-
-
-def quantile(df: float) -> float:
-    """t with two_sided(t, df) = 0.05."""
-    low, high = 1.0, 20.0
-    for _ in range(60):
-        middle = 0.5 * (low + high)
-        low, high = (middle, high) if two_sided(middle, df) > 0.05 else (low, middle)
-    return low
-
-
-def integrators(_page: str) -> str:
-    rows = rows_of(KEPT / "integrators-results.csv")
-    made = []
-    for column, name, digits in READOUTS:
-        a, b = (numbers(rows, label, column) for label in ("adaptive", "reference"))
-        if column in ("f_adh_rel", "n_unadhered"):
-            continue
-        digits = {"n_simultaneous_mean": 2, "tau_prot_min": 1}.get(column, digits)
-        (mean_a, sd_a), (mean_b, sd_b) = mean_and_sd(a), mean_and_sd(b)
-        share_a, share_b = sd_a**2 / len(a), sd_b**2 / len(b)
-        error = math.sqrt(share_a + share_b)
-        df = error**4 / (share_a**2 / (len(a) - 1) + share_b**2 / (len(b) - 1))
-        difference, half, p = mean_a - mean_b, quantile(df) * error, two_sided((mean_a - mean_b) / error, df)
-        made.append([name, cell(a, digits), cell(b, digits),
-                     f"{difference:.{digits}f} ({difference - half:.{digits}f} to {difference + half:.{digits}f})",
-                     f"{p:.2f}" if p >= 0.01 else f"{p:.3f}"])
-    return table(["read-out", "adaptive, up to 5 s", "reference", "difference, 95 % interval", "p"], made)
-
-
 PARTS = {"bottom line": bottom_line, "claims": claims, "verdicts": verdicts, "experiments": experiments,
-         "experiment verdicts": experiment_verdicts, "constrictions": constrictions, "means": study_means, "new seeds": new_seeds, "sensitivity": sensitivity, "integrators": integrators}
+         "experiment verdicts": experiment_verdicts, "constrictions": constrictions, "means": study_means, "new seeds": new_seeds}
 PART = re.compile(r"(<!-- generated: ([\w ]+) -->\n).*?(<!-- end -->)", re.DOTALL)
 
 
@@ -339,7 +226,6 @@ def written(page: str) -> str:
 
 
 def main() -> int:
-    assert abs(two_sided(2.0, 10.0) - 0.07339) < 1e-4 and abs(quantile(46.0) - 2.0129) < 1e-3
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--check", action="store_true", help="write nothing; fail if a page is stale")
     check = parser.parse_args().check
