@@ -1,6 +1,5 @@
 #include "parameters/assign.hpp"
 
-#include "parameters/gone.hpp"
 #include "parameters/nearest.hpp"
 #include "parameters/scan.hpp"
 
@@ -168,7 +167,6 @@ std::string assign_choice(const Row& row, const Given& given, const Choice& choi
       choice.set(p, i);
       return {};
     }
-  if (std::string fate = gone_value(row.path, *name); !fate.empty()) return fate;
   const std::vector<std::string> names(choice.names.begin(), choice.names.end());
   return fmt::format("{} is not known; allowed is {}{}", quoted_excerpt(*name), allowed_text(row),
                      did_you_mean(nearest(*name, names)));

@@ -20,6 +20,10 @@ constexpr std::array parameters{
     Gone{"fibres.plane_to_space", "fibres.pull", "false", "", "k_0 is fibres.stiffness; write 8/15 of it there"},
     Gone{"cell.centre_of_mass", "cell.radius", "\"particles\"", "\"area\"",
          "the centre of mass is the mean of the cortex particles"},
+    Gone{"actomyosin.curvature_profile", "actomyosin.curvature_width", "\"half_gaussian\"", "",
+         "laws.curvature_factor = \"exp(-((kappa - kappa_0)/kappa_w)^2)\" for \"gaussian\", "
+         "\"max(0, 1 - abs(kappa - kappa_0)/kappa_w)\" for \"triangle\"",
+         true},
     Gone{"protrusion.growing_base", "protrusion.least_facing", "\"tied\"", "",
          "the base of a growing protrusion is tied"},
     Gone{"adhesion.rupture_strands", "adhesion.rupture_ratio", "2", "",
@@ -46,10 +50,6 @@ std::string text_of(const toml::node& value) {
   return excerpt(text.str());
 }
 
-std::string reading_has_gone(std::string_view value, std::string_view fate) {
-  return fmt::format("{} has gone: {}; the version of the tag closures-2 has the other readings", value, fate);
-}
-
 } // namespace
 
 std::span<const Gone> gone() { return parameters; }
@@ -62,17 +62,13 @@ const Gone* find_gone(std::string_view path) {
 std::string gone_text(std::string_view value, const Gone& parameter) {
   if (parameter.is_law)
     return fmt::format("{} has gone: write {}", value, fmt::format(fmt::runtime(parameter.fate), value));
-  return reading_has_gone(value, parameter.fate);
+  return fmt::format("{} has gone: {}; the version of the tag closures-2 has the other readings", value,
+                     parameter.fate);
 }
 
 std::string fault_of_gone(const Gone& parameter, const toml::node& value) {
   const std::string given = text_of(value);
   return given == parameter.left ? "" : gone_text(given, parameter);
-}
-
-std::string gone_value(std::string_view path, std::string_view value) {
-  if (path != "actomyosin.curvature_profile" || value != "triangle") return {};
-  return reading_has_gone("\"triangle\"", "the profiles are Gaussian");
 }
 
 } // namespace matrigrate

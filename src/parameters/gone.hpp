@@ -33,9 +33,6 @@ const Gone* find_gone(std::string_view path);
 /// What is wrong with a value that a parameter which has gone is given; empty if it is the one that is left.
 std::string fault_of_gone(const Gone& parameter, const toml::node& value);
 
-/// What became of a value that a parameter has no more; empty if it never had it.
-std::string gone_value(std::string_view path, std::string_view value);
-
 /// "\"place\" has gone: an adhesion holds matter; ...", "20 has gone: write laws.initiation_bias = ..."
 std::string gone_text(std::string_view value, const Gone& parameter);
 

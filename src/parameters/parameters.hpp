@@ -82,7 +82,6 @@ struct FibreParameters {
 };
 
 /// Profile of the curvature factor of the actomyosin tension.
-enum class CurvatureProfile { gaussian, half_gaussian };
 
 /// How the drag system of a step is solved.
 enum class SolverMethod { multigrid, conjugate_gradient };
@@ -140,7 +139,6 @@ struct ActomyosinParameters {
   double f_mat_body = 0.05;         ///< f_mat of the cell's body [-]
   double curvature_optimum = -0.15; ///< kappa_0 [1/um], convex positive
   double curvature_width = 0.25;    ///< kappa_w [1/um]
-  CurvatureProfile curvature_profile = CurvatureProfile::half_gaussian;
 };
 
 struct ProtrusionParameters {

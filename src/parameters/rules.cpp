@@ -165,17 +165,8 @@ std::string steps(const Parameters& p) {
   return {};
 }
 
-/// A changed law would silently take the place of the profile.
-std::string one_curvature_factor(const Parameters& p) {
-  if (p.actomyosin.curvature_profile == CurvatureProfile::half_gaussian) return {};
-  if (!is_changed(*find_row("laws.curvature_factor"), p)) return {};
-  return "would take the place of actomyosin.curvature_profile = \"gaussian\"; leave one of them out";
-}
-
 /// Those of the laws: each text can be read.
 std::vector<Rule> with_laws(std::vector<Rule> rules) {
-  rules.push_back(
-      {"one curvature factor", {"laws.curvature_factor", "actomyosin.curvature_profile"}, one_curvature_factor});
   rules.push_back({"constants of laws can be read", {"laws.constants"}, fault_of_constants});
   for (const Row& law : law_rows())
     if (kind(law) == Kind::law)

@@ -35,7 +35,6 @@ constexpr Choice choice(Access, std::span<const std::string_view> names) {
 constexpr std::array<std::string_view, 2> integrators{"reference", "adaptive"};
 constexpr std::array<std::string_view, 2> lattices{"square", "hexagonal"};
 constexpr std::array<std::string_view, 3> fibre_arrangements{"none", "isotropic", "uniaxial"};
-constexpr std::array<std::string_view, 2> curvature_profiles{"gaussian", "half_gaussian"};
 constexpr std::array<std::string_view, 2> solver_methods{"multigrid", "conjugate_gradient"};
 
 // clang-format off
@@ -160,8 +159,6 @@ constexpr std::array rows{
         "kappa_0", table_1, "Curvature at which a segment contracts most, convex positive"},
     Row{"actomyosin.curvature_width", [](Parameters& p) -> double& { return p.actomyosin.curvature_width; }, "1/um", above(0, 100),
         "kappa_w", table_1, "Width of the curvature factor"},
-    Row{"actomyosin.curvature_profile", choice([](Parameters& p) -> CurvatureProfile& { return p.actomyosin.curvature_profile; }, curvature_profiles), "", none,
-        "", "MODEL.md, I14", "Curvature factor with q = (kappa - kappa_0)/kappa_w: gaussian exp(-q^2), half_gaussian exp(-q^2/2)", numerical},
 
     Row{"protrusion.initiation_rate", [](Parameters& p) -> double& { return p.protrusion.initiation_rate; }, "1/s", closed(0, 10),
         "r_prot", table_1, "Rate of initiation of protrusions at each particle of the front"},

@@ -11,7 +11,7 @@ namespace matrigrate {
 
 double curvature_factor(double kappa, const ActomyosinParameters& p) {
   const double q = (kappa - p.curvature_optimum) / p.curvature_width;
-  return p.curvature_profile == CurvatureProfile::half_gaussian ? std::exp(-0.5 * q * q) : std::exp(-q * q);
+  return std::exp(-0.5 * q * q);
 }
 
 double curvature_factor(double kappa, const ActomyosinParameters& p, const Law& law) {

@@ -7,49 +7,35 @@ using namespace matrigrate;
 
 namespace {
 
-constexpr CurvatureProfile profiles[] = {CurvatureProfile::gaussian, CurvatureProfile::half_gaussian};
-
 std::vector<double> uneven_maturation(const CortexState& c) {
   std::vector<double> f_mat;
   for (std::size_t i = 0; i < c.size(); ++i) f_mat.push_back(0.3 + 0.2 * std::sin(static_cast<double>(i)));
   return f_mat;
 }
 
-CortexForce actomyosin(const std::function<std::vector<double>(const CortexState&)>& f_mat,
-                       CurvatureProfile profile = ActomyosinParameters{}.curvature_profile) {
-  return [f_mat, profile](const CortexState& c, std::uint32_t first, std::span<Vec2> force, DragSystem& A) {
-    ActomyosinParameters p;
-    p.curvature_profile = profile;
-    add_actomyosin(c, p, f_mat(c), time_step, first, force, A);
+CortexForce actomyosin(const std::function<std::vector<double>(const CortexState&)>& f_mat) {
+  return [f_mat](const CortexState& c, std::uint32_t first, std::span<Vec2> force, DragSystem& A) {
+    add_actomyosin(c, {}, f_mat(c), time_step, first, force, A);
   };
 }
 
 } // namespace
 
 TEST(CurvatureFactor, IsOneAtTheOptimumAndSymmetricAroundIt) {
-  ActomyosinParameters p;
-  for (const CurvatureProfile profile : profiles) {
-    p.curvature_profile = profile;
-    EXPECT_EQ(curvature_factor(-0.15, p), 1.0);
-    for (double q = 0.0; q < 2.0; q += 0.05) {
-      const double factor = curvature_factor(-0.15 + q, p);
-      EXPECT_NEAR(curvature_factor(-0.15 - q, p), factor, 1e-14);
-      EXPECT_LE(curvature_factor(-0.15 + q + 0.05, p), factor);
-      EXPECT_GE(factor, 0.0);
-    }
-    EXPECT_LT(curvature_factor(3.0, p), 1e-9);
-    EXPECT_LT(curvature_factor(-3.0, p), 1e-9);
+  const ActomyosinParameters p;
+  EXPECT_EQ(curvature_factor(-0.15, p), 1.0);
+  for (double q = 0.0; q < 2.0; q += 0.05) {
+    const double factor = curvature_factor(-0.15 + q, p);
+    EXPECT_NEAR(curvature_factor(-0.15 - q, p), factor, 1e-14);
+    EXPECT_LE(curvature_factor(-0.15 + q + 0.05, p), factor);
+    EXPECT_GE(factor, 0.0);
   }
+  EXPECT_LT(curvature_factor(3.0, p), 1e-9);
+  EXPECT_LT(curvature_factor(-3.0, p), 1e-9);
 }
 
-TEST(CurvatureFactor, ProfilesDifferInTheirValueAtOneWidth) {
-  ActomyosinParameters p;
-  EXPECT_EQ(p.curvature_profile, CurvatureProfile::half_gaussian);
-  p.curvature_profile = CurvatureProfile::gaussian;
-  EXPECT_NEAR(curvature_factor(0.10, p), std::exp(-1.0), 1e-12);
-  EXPECT_NEAR(curvature_factor(-0.025, p), std::exp(-0.25), 1e-12);
-  p.curvature_profile = CurvatureProfile::half_gaussian;
-  EXPECT_NEAR(curvature_factor(0.10, p), std::exp(-0.5), 1e-12);
+TEST(CurvatureFactor, FallsToExpOfMinusOneHalfAtOneWidth) {
+  EXPECT_NEAR(curvature_factor(0.10, ActomyosinParameters{}), std::exp(-0.5), 1e-12);
 }
 
 TEST(CurvatureFactor, OfTheRoundBodyIsSmallerThanOfAConcaveFlank) {
@@ -84,7 +70,7 @@ TEST(Actomyosin, LeavesProtrusionsThatGrowOrMatureAlone) {
     for (std::size_t i = 10; i <= 20; ++i) f_mat[i] = 0.0;
     return f_mat;
   };
-  const Assembled a = assemble(actomyosin(with_gap, CurvatureProfile::gaussian), c);
+  const Assembled a = assemble(actomyosin(with_gap), c);
   for (std::size_t i = 10; i <= 20; ++i) EXPECT_EQ(a.force[i].norm(), 0.0);
   EXPECT_GT(a.force[9].dot(c.x[8] - c.x[9]), 0.0); // drawn away from it
   EXPECT_EQ(a.A.directed.size(), c.size() - 12);

@@ -241,12 +241,6 @@ TEST(LawFaults, OfConstantsAreToldOnce) {
   EXPECT_EQ(of("x_0 = 2"), "");
 }
 
-TEST(LawFaults, OfTwoCurvatureFactorsAreTold) {
-  const std::string gaussian = "[actomyosin]\ncurvature_profile = \"gaussian\"\n";
-  EXPECT_NE(fault_of(gaussian + "[laws]\ncurvature_factor = \"1\"\n").find("leave one of them out"), std::string::npos);
-  EXPECT_EQ(fault_of(gaussian), "0 faults");
-}
-
 TEST(LawFaults, StandAtTheirKeys) {
   EXPECT_EQ(fault_of("[laws]\npolarization_rate = \"r_pool\"\n"),
             "f.toml:2:21: laws.polarization_rate: cannot be read as a formula in angle, at character 1: there is no "
