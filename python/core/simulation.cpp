@@ -1,6 +1,8 @@
 // The module matrigrate._core: a simulation that is stepped from Python. What users see is matrigrate.Simulation
 // (python/matrigrate/simulation.py); its words and checks are there.
 #include "simulation/simulation.hpp"
+#include "tracks.hpp"
+
 #include "base/failure.hpp"
 #include "cell/geometry.hpp"
 #include "parameters/judge.hpp"
@@ -344,10 +346,12 @@ void translate(std::exception_ptr thrown) {
 
 PYBIND11_MODULE(_core, module) {
   using namespace matrigrate;
-  module.doc() = "A simulation that is stepped from Python; used by matrigrate.Simulation.";
+  module.doc() = "A simulation that is stepped from Python, and read-outs of tracks; used by matrigrate.Simulation and "
+                 "matrigrate.tracks.";
   py::register_exception_translator(&translate);
   py::module_::import("atexit").attr("register")(py::cpp_function(&end_marches));
   module.def("judged", &judged);
+  add_tracks(module);
   const auto of = [](const py::object& self) -> const State& { return self.cast<const SteppedSimulation&>().state(); };
   const auto cell = [of](const py::object& self, std::size_t k) -> const Cell& {
     const std::vector<Cell>& cells = of(self).cells;

@@ -19,8 +19,8 @@ def core() -> ModuleType:
     places = [os.environ.get("MATRIGRATE_CORE", ""), *map(str, Path(__file__).parent.glob("_core*.so"))]
     found = next((place for place in places if place and Path(place).is_file()), None)
     if found is None:
-        raise CoreNotFound("this package was installed without its compiled module, so it cannot step a simulation "
-                           "(matrigrate.run does); on Debian 12, in a clone of Matrigrate, python/install.sh builds the "
+        raise CoreNotFound("this package was installed without its compiled module, so it can neither step a simulation "
+                           "(matrigrate.run runs one) nor compute read-outs of tracks (matrigrate tracks does); on Debian 12, in a clone of Matrigrate, python/install.sh builds the "
                            "module and installs the package with it into a virtual environment")
     spec = importlib.util.spec_from_file_location(name, found,
                                                   loader=importlib.machinery.ExtensionFileLoader(name, found))

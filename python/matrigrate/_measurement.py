@@ -11,6 +11,7 @@ import numpy as np
 from . import _arguments, _motility
 from . import tracks as _tracks
 from ._files import _pandas
+from ._load_core import core
 from .errors import ConfigurationError
 from .studies import Study
 
@@ -59,7 +60,7 @@ class Points:
                 for name, n in zip(self.values.columns, missing.sum(axis=0), strict=True) if n]
 
     def _need(self, name: str) -> str:
-        if name not in _motility.meanings:
+        if name not in _motility.meanings():
             return "is not defined in their runs, or no number"
         there = f"; simulated ones have {self.positions - 1}" if self.positions else ""
         return f"{_motility.needs.get(name, 'needs tracks of two positions')}{there if 'intervals' in _motility.needs.get(name, '') else ''}"
@@ -76,6 +77,8 @@ def measurement(measured: _tracks.Tracks | Means, names: Sequence[str], besides:
     """
     is_tracks = isinstance(measured, _tracks.Tracks)
     _require_measured(measured)
+    if is_tracks:
+        core()
     _arguments.mapping("besides", besides, "a dictionary of means and standard errors")
     if isinstance(names, str):
         raise _arguments.wrong("readouts", names, "a list of read-outs")
@@ -84,14 +87,14 @@ def measurement(measured: _tracks.Tracks | Means, names: Sequence[str], besides:
                if not _is_pair(value)]:
         raise ConfigurationError("\n".join(odd))
     table = _pandas().DataFrame.from_dict(means, orient="index", columns=["value", "standard_error"], dtype=float)
-    own = [name for name in names if name in _motility.meanings and name not in means] if is_tracks else []
+    own = [name for name in names if name in _motility.meanings() and name not in means] if is_tracks else []
     if own:
         n = len(measured)
         share = n / max(1, n - 1)  # the bootstrap's variance is too small by it
         found = measured.readouts().loc[own, ["value", "standard_error"]] * [1.0, share**0.5]
         table = _pandas().concat([found, table])
     lacking = [name for name in names if name not in table.index]
-    known = f"; tracks have {', '.join(_motility.meanings)}" if is_tracks else ""
+    known = f"; tracks have {', '.join(_motility.meanings())}" if is_tracks else ""
     faults = [f"{name}: has no measured value{known}" for name in lacking]
     faults += [f"{name}: is measured, but not among the read-outs {', '.join(names)}" for name in means if names and name not in names]
     faults += _faults(table.loc[[name for name in names if name not in lacking]], measured)
@@ -186,14 +189,16 @@ def simulated(study: Study, names: Sequence[str], interval: float | None, error:
     if isinstance(names, str):
         raise _arguments.wrong("readouts", names, "a list of read-outs")
     results = study.results
+    if interval is not None:
+        core()
     own = list(results.columns)
     known = own[own.index("trajectory_hash") + 1:]
-    of_tracks = [name for name in names if name in _motility.meanings and (interval is not None or name not in known)]
+    of_tracks = [name for name in names if name in _motility.meanings() and (interval is not None or name not in known)]
     of_runs = [name for name in names if name not in of_tracks]
     texts = [name for name in study.parameters if results[name].dtype == object]
     faults = [f"{name}: only numbers can be fitted" for name in texts]
     if unknown := [name for name in of_runs if name not in known]:
-        faults.append(f"there is no read-out {', '.join(unknown)}; there are {', '.join([*_motility.meanings, *known])}")
+        faults.append(f"there is no read-out {', '.join(unknown)}; there are {', '.join([*_motility.meanings(), *known])}")
     if of_tracks and interval is None:
         faults.append("interval: that of the measured tracks is needed [s]: speed, ratios and angles depend on it")
     if not names:
@@ -224,7 +229,7 @@ def differences(points: Points, wanted: Measurement) -> list[str]:
     """In what simulated and measured tracks differ, where a read-out depends on it."""
     notes = []
     few = int(points.runs.min(initial=0))
-    biased = [name for name in wanted.table.index if name in _motility.meanings and name not in _means]
+    biased = [name for name in wanted.table.index if name in _motility.meanings() and name not in _means]
     if biased and few != wanted.cells:
         notes.append(f"{', '.join(biased)}: depends on the number of tracks; a point has {few}, "
                      + (f"{wanted.cells} were measured" if wanted.cells else "give it as many as were measured"))

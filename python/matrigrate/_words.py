@@ -85,7 +85,7 @@ def words(column: str) -> str:
         return noun(parameter)
     if column in _labels():
         return results.meaning(column)
-    return _motility.meanings.get(column, column.replace("_", " "))
+    return _motility.meanings().get(column, column.replace("_", " "))
 
 
 def unit(column: str) -> str:

@@ -40,7 +40,7 @@ _least_steps = 5  # of both tracks of a pair
 
 def meaning(readout: str) -> str:
     """The meaning of a read-out of tracks, in words."""
-    return _motility.meanings.get(readout, readout)
+    return _motility.meanings().get(readout, readout)
 
 
 class Tracks(Mapping[str, Any]):
@@ -138,24 +138,26 @@ class Tracks(Mapping[str, Any]):
             said = (f"MSD at one interval, {square:.3g} um2, is below 4 error^2 = {4 * error**2:.3g} um2: the error is larger than "
                     "the cells move, so slopes and the persistence time are not defined")
             self.notes.extend([said] if said not in self.notes else [])
-        values = parts.readouts(error=error)
+        meanings = _motility.meanings()
+        values = dict(zip(meanings, parts.readouts(error), strict=True))
         errors = dict.fromkeys(values, float("nan"))
         drawn = self._drawn if interval is None and error == 0 and resamples == _resamples else _resampled(parts, error, resamples)
-        for name in values:
-            known = [one[name] for one in drawn if math.isfinite(one[name])]
+        for name, column in zip(values, drawn.T, strict=True):
+            known = column[np.isfinite(column)]
             if math.isfinite(values[name]) and len(known) > 1 and len(known) >= 0.9 * resamples:
                 errors[name] = float(np.std(known, ddof=1))
         return _pandas().DataFrame({"value": values, "standard_error": errors,
-                                    "unit": {name: unit_of(name) for name in values}, "meaning": _motility.meanings})
+                                    "unit": {name: unit_of(name) for name in values}, "meaning": meanings})
 
     def covariance(self, readouts: Sequence[str]) -> np.ndarray[Any, Any]:
         """Of the errors of these read-outs, by the bootstrap of ``readouts()``."""
-        table = np.array([[one[name] for name in readouts] for one in self._drawn])
+        names = list(_motility.meanings())
+        table = self._drawn[:, [names.index(name) for name in readouts]]
         return np.atleast_2d(np.cov(table[np.isfinite(table).all(axis=1)].T))
 
     def msd(self) -> pandas.DataFrame:
         """Mean square displacement of all tracks: ``lag_s``, ``msd_um2``."""
-        square = self._parts.msd()
+        square: np.ndarray[Any, Any] = self._parts.msd()
         return _pandas().DataFrame({"lag_s": self.interval * np.arange(1, len(square) + 1), "msd_um2": square})
 
     def pairs(self) -> pandas.DataFrame:
@@ -194,25 +196,22 @@ class Tracks(Mapping[str, Any]):
         return _pandas().DataFrame(rows, columns=["kind", "track", "other", "t_s", "value"])
 
     @cached_property
-    def _parts(self) -> _motility.Parts:
+    def _parts(self) -> Any:
         far = [name for name, track in self.items() if not np.nanmax(np.abs(track), initial=0.0) <= _motility.farthest]
         if far:
             raise ConfigurationError("\n".join(f"track {name}: positions reach {np.nanmax(np.abs(self[name])):.3g} um; read-outs "
                                                f"are defined up to {_motility.farthest:g} um (pixel)" for name in far))
-        return _motility.Parts(list(self.values()), self.interval)
+        return _motility.parts(self.values(), self.interval)
 
     @cached_property
-    def _drawn(self) -> list[dict[str, float]]:
-        """Read-outs of the bootstrap's sets, without an error."""
+    def _drawn(self) -> np.ndarray[Any, Any]:
+        """Read-outs of the bootstrap's sets, a row a set, without an error."""
         return _resampled(self._parts, 0.0, _resamples)
 
 
-def _resampled(parts: _motility.Parts, error: float, resamples: int) -> list[dict[str, float]]:
-    """Read-outs of sets of tracks drawn with replacement: always the same ones; none of a single track."""
-    n, random = len(parts.lengths), np.random.default_rng(1)
-    if n < 2 or resamples < 2:
-        return []
-    return [parts.readouts(random.integers(n, size=n), error) for _ in range(resamples)]
+def _resampled(parts: Any, error: float, resamples: int) -> np.ndarray[Any, Any]:
+    """Read-outs of sets of tracks drawn with replacement, a row a set: always the same ones; none of a single track."""
+    return np.reshape(parts.drawn(error, max(0, resamples)), (-1, len(_motility.meanings())))
 
 
 def read(file: str | os.PathLike[str], *, pixel: float | None = None, frame_interval: float | None = None,

@@ -46,6 +46,8 @@ def main() -> int:
         parser.error("name a page, or --update")
     program = pathlib.Path(os.environ.get("MATRIGRATE", source / "build" / "release" / "bin" / "matrigrate")).resolve()
     os.environ["MPLBACKEND"] = "agg"
+    for core in program.parents[1].glob("python/_core*.so"):
+        os.environ.setdefault("MATRIGRATE_CORE", str(core))
     os.environ["PATH"] = f"{program.parent}:{os.environ['PATH']}"
     sys.path.insert(0, str(source / "python"))
     bad = False

@@ -11,6 +11,7 @@ import unittest
 
 import common
 import matrigrate
+import motility
 import numpy as np
 from matrigrate import tracks
 
@@ -208,6 +209,21 @@ class Layouts(common.InTemporaryFolder):
             found = json.loads(call.stdout)["readouts"]
             own = tracks.read("walks.csv", **told).readouts(resamples=0)["value"]
             np.testing.assert_allclose(own, values(found), rtol=1e-9, err_msg=str(told))
+
+    def test_read_outs_are_those_of_plain_numpy(self):
+        random = np.random.default_rng(6)
+        walks = {str(cell): np.cumsum(random.normal(0.2, 1, (25 + cell, 2)), axis=0) for cell in range(9)}
+        for walk in walks.values():
+            walk[1:-1][random.random(len(walk) - 2) < 0.1] = np.nan
+        cells = tracks.Tracks(walks, 90.0, [])
+        plain = motility.Parts(list(walks.values()), 90.0)
+        for error in (0.0, 0.3, 5.0):
+            np.testing.assert_allclose(cells.readouts(error=error, resamples=0)["value"], list(plain.readouts(error=error).values()), rtol=1e-9)
+        np.testing.assert_allclose(cells.msd()["msd_um2"], plain.msd(), rtol=1e-12)
+        drawn = [plain.readouts(random.integers(9, size=9)) for _ in range(400)]
+        errors = cells.readouts(resamples=400)["standard_error"]
+        for name in ("speed_um_per_h", "straightness", "msd_slope_short", "turning_cosine"):
+            np.testing.assert_allclose(errors[name], np.std([one[name] for one in drawn]), rtol=0.3, err_msg=name)
 
 
 class Arguments(common.InTemporaryFolder):

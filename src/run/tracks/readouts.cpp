@@ -179,7 +179,9 @@ TrackParts::Part TrackParts::part(const Track& track, double interval) {
     part.ratios.push_back(path > 0.0 ? at.distance(0, k) / path : nan);
   }
   part.speed = mean_of_defined(lengths) * per_hour;
-  part.v_migr_abs = std::hypot(track.x.back() - track.x.front(), track.y.back() - track.y.front()) / span * per_hour;
+  part.v_migr_abs = track.span() == 0 ? nan
+                                      : std::hypot(track.x.back() - track.x.front(), track.y.back() - track.y.front())
+                                            / span * per_hour;
   part.straightness = whole_ratio(track);
   part.windowed = windowed_ratio(at, lengths);
   part.anisotropy = anisotropy_of(at);
@@ -249,16 +251,23 @@ std::vector<std::size_t> TrackParts::all() const {
 
 ReadoutValues TrackParts::readouts(double error) const { return readouts(all(), error); }
 
-double TrackParts::buried(double error) const { return buried_of(msd(all()), error); }
+std::vector<double> TrackParts::msd() const { return msd(all()); }
+
+double TrackParts::buried(double error) const { return buried_of(msd(), error); }
+
+std::vector<ReadoutValues> TrackParts::drawn(double error, std::size_t resamples) const {
+  std::vector<ReadoutValues> sets;
+  if (size() < 2 || resamples < 2) return sets;
+  for (std::size_t d = 0; d < resamples; ++d)
+    sets.push_back(readouts(statistics::resampled(size(), draws_key, d), error));
+  return sets;
+}
 
 TrackReadouts readouts(const Tracks& tracks, double error, std::size_t resamples) {
   const TrackParts parts(tracks);
   TrackReadouts result{.value = parts.readouts(error), .standard_error = {}};
   result.standard_error.fill(nan);
-  if (parts.size() < 2 || resamples < 2) return result;
-  std::vector<ReadoutValues> drawn;
-  for (std::size_t d = 0; d < resamples; ++d)
-    drawn.push_back(parts.readouts(statistics::resampled(parts.size(), draws_key, d), error));
+  const std::vector<ReadoutValues> drawn = parts.drawn(error, resamples);
   for (std::size_t r = 0; r < track_readouts.size(); ++r) {
     std::vector<double> values;
     for (const ReadoutValues& one : drawn) values.push_back(one[r]);

@@ -52,12 +52,17 @@ public:
   ReadoutValues readouts(std::span<const std::size_t> which, double error) const;
   ReadoutValues readouts(double error = 0.0) const; ///< of all tracks
 
+  /// Read-outs of sets of tracks that are drawn from them with replacement, the same sets each time
+  /// (statistics::resampled); none of a single track.
+  std::vector<ReadoutValues> drawn(double error, std::size_t resamples) const;
+
   /// The mean square displacement at the shortest lag [um^2] if the localisation error leaves nothing of it: then it
   /// defines no slope and no persistence time. Else 0.
   double buried(double error) const;
 
   /// Mean square displacement [um^2] at lags of 1, 2, ... intervals, over all pairs of positions; NaN without a pair.
   std::vector<double> msd(std::span<const std::size_t> which) const;
+  std::vector<double> msd() const; ///< of all tracks
 
 private:
   std::vector<std::size_t> all() const;
@@ -79,7 +84,7 @@ struct TrackReadouts {
   ReadoutValues standard_error{}; ///< bootstrap over tracks; NaN of one track, and of what few resampled sets define
 };
 
-/// @param resamples  draws of the bootstrap; the same ones each time (statistics::resampled)
+/// @param resamples  draws of the bootstrap
 TrackReadouts readouts(const Tracks& tracks, double error = 0.0, std::size_t resamples = 200);
 
 /// Persistence time P [s] of Fuerth's formula, MSD(t) = 2 S^2 P (t - P (1 - exp(-t/P))), by least relative squares; NaN
