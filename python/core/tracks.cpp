@@ -43,7 +43,7 @@ tracks::TrackParts parts_of(const std::vector<Positions>& positions, double inte
 }
 
 py::array_t<double> array_of(const std::vector<double>& values) {
-  return {static_cast<py::ssize_t>(values.size()), values.data()};
+  return py::array_t<double>(static_cast<py::ssize_t>(values.size()), values.data());
 }
 
 } // namespace
