@@ -1,7 +1,7 @@
 /**
  * Every picture that the program, its pages and its packages make, beside a small one that is kept in tests/pictures/kept; only where
- * MATRIGRATE_PROGRAM and MATRIGRATE_SOURCE name the program and its source. With MATRIGRATE_PICTURES=FOLDER all are written there: large, as
- * wide as a column of a journal (85 mm), and `kept/` anew. A picture that is meant to change is looked at, then kept.
+ * MATRIGRATE_PROGRAM, MATRIGRATE_SOURCE and MATRIGRATE_CORE name the program, its source and the module of Python. With
+ * MATRIGRATE_PICTURES=FOLDER all are written there: large, as wide as a column of a journal (85 mm), and `kept/` anew. A picture that is meant to change is looked at, then kept.
  */
 import assert from "node:assert/strict";
 import { execFileSync, spawnSync } from "node:child_process";
@@ -16,6 +16,7 @@ import { inkDifference, narrow } from "./pictures";
 
 const program = process.env["MATRIGRATE_PROGRAM"];
 const source = process.env["MATRIGRATE_SOURCE"];
+const core = process.env["MATRIGRATE_CORE"];
 const out = process.env["MATRIGRATE_PICTURES"];
 
 /** What draws for Python and R is there. */
@@ -123,7 +124,7 @@ async function looks(page: Page, name: string, file: string): Promise<[string, s
   return found;
 }
 
-test("all pictures look as those that are kept", { skip: program === undefined || source === undefined || !able() }, async () => {
+test("all pictures look as those that are kept", { skip: [program, source, core].includes(undefined) || !able() }, async () => {
   const folder = mkdtempSync(join(tmpdir(), "matrigrate-pictures-"));
   const browser = await launch(false);
   try {
