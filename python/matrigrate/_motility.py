@@ -3,11 +3,14 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from functools import cache
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from ._load_core import core
+
+if TYPE_CHECKING:
+    from . import _core
 
 needs = {
     "directionality_ratio": "needs tracks of more than ten intervals",
@@ -32,9 +35,10 @@ def meanings() -> dict[str, str]:
         return {}
 
 
-def parts(tracks: Iterable[np.ndarray[Any, Any]], interval: float) -> Any:
+def parts(tracks: Iterable[np.ndarray[Any, Any]], interval: float) -> _core.TrackParts:
     """What each track contributes to read-outs.
 
     :raises CoreNotFound: without the compiled module
     """
-    return core().TrackParts(list(tracks), interval)
+    found: _core.TrackParts = core().TrackParts(list(tracks), interval)
+    return found

@@ -29,6 +29,8 @@ from .studies import Study
 if TYPE_CHECKING:
     import pandas
 
+    from . import _core
+
 __all__ = ["Tracks", "from_frame", "meaning", "of", "read"]
 
 _off_grid = 0.01  # of an interval
@@ -157,7 +159,7 @@ class Tracks(Mapping[str, Any]):
 
     def msd(self) -> pandas.DataFrame:
         """Mean square displacement of all tracks: ``lag_s``, ``msd_um2``."""
-        square: np.ndarray[Any, Any] = self._parts.msd()
+        square = self._parts.msd()
         return _pandas().DataFrame({"lag_s": self.interval * np.arange(1, len(square) + 1), "msd_um2": square})
 
     def pairs(self) -> pandas.DataFrame:
@@ -196,7 +198,7 @@ class Tracks(Mapping[str, Any]):
         return _pandas().DataFrame(rows, columns=["kind", "track", "other", "t_s", "value"])
 
     @cached_property
-    def _parts(self) -> Any:
+    def _parts(self) -> _core.TrackParts:
         far = [name for name, track in self.items() if not np.nanmax(np.abs(track), initial=0.0) <= _motility.farthest]
         if far:
             raise ConfigurationError("\n".join(f"track {name}: positions reach {np.nanmax(np.abs(self[name])):.3g} um; read-outs "
@@ -209,7 +211,7 @@ class Tracks(Mapping[str, Any]):
         return _resampled(self._parts, 0.0, _resamples)
 
 
-def _resampled(parts: Any, error: float, resamples: int) -> np.ndarray[Any, Any]:
+def _resampled(parts: _core.TrackParts, error: float, resamples: int) -> np.ndarray[Any, Any]:
     """Read-outs of sets of tracks drawn with replacement, a row a set: always the same ones; none of a single track."""
     return np.reshape(parts.drawn(error, max(0, resamples)), (-1, len(_motility.meanings())))
 
