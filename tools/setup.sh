@@ -26,7 +26,7 @@ nodejs: builds the pages of reports
 npm: gets what builds them
 "
 packages_for_simulation="
-pybind11-dev: the compiled module of the Python package, for matrigrate.Simulation
+pybind11-dev: the compiled module of the Python package, for matrigrate.Simulation and read-outs of tracks
 python3-dev: the same
 "
 packages_for_python="

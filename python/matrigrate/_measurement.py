@@ -78,7 +78,7 @@ def measurement(measured: _tracks.Tracks | Means, names: Sequence[str], besides:
     is_tracks = isinstance(measured, _tracks.Tracks)
     _require_measured(measured)
     if is_tracks:
-        core()
+        core()  # without it there is no read-out of tracks: it says so
     _arguments.mapping("besides", besides, "a dictionary of means and standard errors")
     if isinstance(names, str):
         raise _arguments.wrong("readouts", names, "a list of read-outs")
@@ -190,7 +190,7 @@ def simulated(study: Study, names: Sequence[str], interval: float | None, error:
         raise _arguments.wrong("readouts", names, "a list of read-outs")
     results = study.results
     if interval is not None:
-        core()
+        core()  # as above
     own = list(results.columns)
     known = own[own.index("trajectory_hash") + 1:]
     of_tracks = [name for name in names if name in _motility.meanings() and (interval is not None or name not in known)]

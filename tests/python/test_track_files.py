@@ -210,6 +210,14 @@ class Layouts(common.InTemporaryFolder):
             own = tracks.read("walks.csv", **told).readouts(resamples=0)["value"]
             np.testing.assert_allclose(own, values(found), rtol=1e-9, err_msg=str(told))
 
+    def test_tracks_of_few_positions_and_of_none_define_little(self):
+        walk = np.array([[0.0, 0], [1, 0], [1, 1], [3, 1]])
+        late = np.vstack([np.full((2, 2), np.nan), walk])
+        cells = tracks.Tracks({"walk": walk, "late": late, "one": walk[:1], "none": np.full((3, 2), np.nan)}, 60.0, [])
+        alone = tracks.Tracks({"walk": walk}, 60.0, [])
+        np.testing.assert_array_equal(cells.readouts(resamples=0)["value"], alone.readouts(resamples=0)["value"])
+        self.assertEqual(cells.readouts()["value"]["speed_um_per_h"], 80.0)
+
     def test_read_outs_are_those_of_plain_numpy(self):
         random = np.random.default_rng(6)
         walks = {str(cell): np.cumsum(random.normal(0.2, 1, (25 + cell, 2)), axis=0) for cell in range(9)}

@@ -1,7 +1,8 @@
 /**
  * Every picture that the program, its pages and its packages make, beside a small one that is kept in tests/pictures/kept; only where
  * MATRIGRATE_PROGRAM, MATRIGRATE_SOURCE and MATRIGRATE_CORE name the program, its source and the module of Python. With
- * MATRIGRATE_PICTURES=FOLDER all are written there: large, as wide as a column of a journal (85 mm), and `kept/` anew. A picture that is meant to change is looked at, then kept.
+ * MATRIGRATE_PICTURES=FOLDER all are written there: large, as wide as a column of a journal (85 mm), and `kept/` anew. A picture
+ * that is meant to change is looked at, then kept.
  */
 import assert from "node:assert/strict";
 import { execFileSync, spawnSync } from "node:child_process";
