@@ -88,11 +88,10 @@ def kept(wave):
 def prior_of(study, table):
     """The ranges of the first wave, by the names of columns."""
     found = {}
-    for key, ends in study["latin_hypercube"].items():
-        if isinstance(ends, list):
-            column = next(name for name in table if name == key or name.startswith(f"{key}_"))
-            low, high = (float(str(end).split()[0]) for end in ends[:2])
-            found[column] = (low, high, *ends[2:])
+    for section, keys in study["latin_hypercube"].items():
+        for key, (low, high, *scale) in keys.items() if isinstance(keys, dict) else []:
+            column = next(name for name in table if name == f"{section}.{key}" or name.startswith(f"{section}.{key}_"))
+            found[column] = (float(str(low).split()[0]), float(str(high).split()[0]), *scale)
     return found
 
 
@@ -106,6 +105,7 @@ def main():
     parser.add_argument("--allowed", type=int, default=2)
     parser.add_argument("--match-only", action="store_true")
     options = parser.parse_args()
+    os.environ["MATRIGRATE"] = str(options.program.resolve())  # checks the next wave
     if not options.match_only:
         runs(options.wave, options.program.resolve(), options.folder, options.jobs)
     waves = [kept(wave) for wave in range(1, options.wave + 1)]

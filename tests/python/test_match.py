@@ -1,7 +1,9 @@
 """History matching against a model whose parameters are known: the space that is left, rows that exclude each other, the next wave."""
+import importlib
 import math
 import pathlib
 import re
+import sys
 import tempfile
 import tomllib
 import unittest
@@ -321,6 +323,18 @@ protrusion.force = ["0.2 nN", "0.6 nN"]
         with self.assertRaises(matrigrate.ConfigurationError):
             match.write_study("bad.toml", 3, "wave-1.toml", keys=keys | {"b": "ecm.poissons_ratio"})
         self.assertFalse((self.folder / "bad.toml").exists(), "what the program refuses is not kept")
+
+    def test_the_kept_wave_has_its_ranges_and_conditions(self):
+        sys.path.insert(0, str(common.source / "tools"))
+        self.addCleanup(sys.path.pop, 0)
+        wave = importlib.import_module("wave")
+        study, table = wave.kept(1)
+        ranges = wave.prior_of(study, table)
+        self.assertEqual(len(ranges), 12)
+        self.assertEqual(ranges["cell.bending_stiffness_N_m"], (5e-17, 5e-16, "log"))
+        self.assertEqual(set(table["condition"]), {one["label"] for one in study["conditions"]})
+        for name, (low, high, *_) in ranges.items():
+            self.assertTrue(table[name].between(low, high).all(), name)
 
     def test_columns_of_parameters(self):
         for column, key in (("contact.cells.adhesion_range_um", "contact.cells.adhesion_range"), ("ecm.youngs_modulus_Pa", "ecm.youngs_modulus"),
