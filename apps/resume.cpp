@@ -61,7 +61,7 @@ int resume_run(const ResumeArguments& options) {
 } // namespace
 
 void add_resume(CLI::App& app, Action& chosen, std::vector<std::string> command_line) {
-  CLI::App* verb = app.add_subcommand("resume", "Go on with a run from its last checkpoint, or branch off from it");
+  CLI::App* verb = app.add_subcommand("resume", "Resume a run from its last checkpoint, or branch off from it");
   verb->footer(
       "Without --at, --set, --seed and --hours the run goes on in its own folder, to the same bits as if it had never\n"
       "stopped. With one of them a branch is begun in a folder of its own: at the last checkpoint, or at the time of\n"

@@ -224,10 +224,9 @@ void add_export(CLI::App& app, Action& chosen) {
       "Adds to what the folder holds: several kinds may be exported one after the other.\n"
       "fields.h5 with fields.xdmf opens in ParaView as it is; --vtk is for programs that read neither.\n"
       "celltrackR: read.tracks.csv(\"tracks_celltrackr.csv\", sep = \",\", pos.columns = 3:4).\n"
-      "Of a study, --tracks writes the tracks of all its runs that are done into one table: tracks.csv as those of "
-      "the\n"
-      "runs, tracks_spots.csv for CellTracksColab, TrackMate and celltrackR. docs/how-to/exchange.md tells how to read "
-      "it.\n"
+      "Of a study, --tracks writes the tracks of all finished runs: tracks.csv as those of the runs, tracks_spots.csv\n"
+      "for CellTracksColab, TrackMate and celltrackR, and tracks_tracks.csv, a row per track, for CellTracksColab\n"
+      "(docs/how-to/exchange.md).\n"
       "--png, --panel and --movie call node and chromium, in which the player draws, and --movie calls ffmpeg. They\n"
       "have to be installed. Layers are degradation (f_degr: 0 fluid, 1 intact matrix), displacement, von_mises,\n"
       "pressure and fibre_von_mises, and those that the scenario gives the matrix, such as youngs_modulus.");

@@ -148,13 +148,13 @@ std::string law_arguments(const Row& law, std::span<const double> arguments, con
   return text.empty() ? "any argument" : text;
 }
 
-std::string law_fault(const Row& law, double value) {
+std::string law_fault(const Row& law, double value, const std::string& where) {
   std::string help;
   if (value < law.range.low) help = fmt::format("; max({:g}, ...) keeps it from falling below", law.range.low);
   if (value > law.range.high) help = fmt::format("; min({:g}, ...) keeps it from rising above", law.range.high);
   const std::string unit = law.unit == "1" ? "" : fmt::format(" {}", law.unit);
-  return fmt::format("is {}; allowed is >= {:g} and <= {:g}{}{}", with_unit(value, law.unit), law.range.low,
-                     law.range.high, unit, help);
+  return fmt::format("is {} at {}; allowed is >= {:g} and <= {:g}{}{}", with_unit(value, law.unit), where,
+                     law.range.low, law.range.high, unit, help);
 }
 
 std::vector<fields::NamedNumber> law_names(const Parameters& p) {
@@ -181,8 +181,9 @@ double Law::operator()(std::initializer_list<double> arguments) const {
   if (in_range(*m_row, value)) return value;
   const std::vector<bool> all(arguments.size(), true);
   throw NumericalFailure(FailureCause::law,
-                         fmt::format("{} {} at {}", m_row->path, law_fault(*m_row, value),
-                                     law_arguments(*m_row, {arguments.begin(), arguments.size()}, all)));
+                         fmt::format("{} {}", m_row->path,
+                                     law_fault(*m_row, value,
+                                               law_arguments(*m_row, {arguments.begin(), arguments.size()}, all))));
 }
 
 std::string fault_of_constants(const Parameters& p) {

@@ -85,7 +85,7 @@ std::vector<Part> parts_of(std::string_view text) {
   return parts;
 }
 
-/// ": 1/kappa, at character 5, is infinite": the shortest part of a formula that is not finite; empty if there is none.
+/// " (1/kappa, at character 5, is infinite)": the shortest part of a formula that is not finite; empty if there is none.
 std::string place_of_fault(const Row& law, const Parameters& p, const std::string& text,
                            std::span<const double> arguments) {
   for (const Part& part : parts_of(text)) {
@@ -93,7 +93,7 @@ std::string place_of_fault(const Row& law, const Parameters& p, const std::strin
     try {
       const double value = law_formula(law, p, piece).at(arguments);
       if (!std::isfinite(value))
-        return fmt::format(": {}, at character {}, is {}", piece, part.begin + 1,
+        return fmt::format(" ({}, at character {}, is {})", piece, part.begin + 1,
                            std::isnan(value) ? "not a number" : "infinite");
     } catch (const std::invalid_argument&) { // no formula of its own
     }
@@ -210,8 +210,8 @@ std::string fault_of_law_values(const Parameters& p, const Row& law) {
   });
   if (worst.empty()) return {};
   const double value = formula.at(worst);
-  return fmt::format("{} at {}{}", law_fault(law, value), law_arguments(law, worst, used),
-                     std::isfinite(value) ? "" : place_of_fault(law, p, text, worst));
+  const std::string place = std::isfinite(value) ? "" : place_of_fault(law, p, text, worst);
+  return law_fault(law, value, law_arguments(law, worst, used) + place);
 }
 
 std::vector<LawCurve> law_curves(const Parameters& p, const Row& law, std::size_t points) {

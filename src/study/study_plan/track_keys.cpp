@@ -25,7 +25,6 @@ public:
   tracks::TrackOptions options() {
     tracks::TrackOptions options;
     options.spelling = tracks::Spelling::keys;
-    options.shortest = 2;
     options.pixel = quantity("pixel", "um");
     options.interval = quantity("interval", "s");
     if (const auto* node = m_table.get("time_unit")) options.time_unit = m_faults.text(*node, key("time_unit"));

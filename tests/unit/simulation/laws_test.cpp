@@ -96,8 +96,8 @@ std::string faults_in(const std::string& text, const std::vector<std::string>& o
 TEST(LawRules, TellWhereAValueIsNotAllowed) {
   EXPECT_EQ(
       faults_in("[laws]\npolarization_rate = \"-r_pol\"\n"),
-      "f.toml:2:21: laws.polarization_rate: is -0.0011 1/s; allowed is >= 0 and <= 1e+06 1/s; max(0, ...) keeps it "
-      "from falling below at any argument");
+      "f.toml:2:21: laws.polarization_rate: is -0.0011 1/s at any argument; allowed is >= 0 and <= 1e+06 1/s; "
+      "max(0, ...) keeps it from falling below");
   EXPECT_EQ(faults_in("laws.polarization_rate = \"r_pol/2\"\n"), "");
   EXPECT_NE(faults_in("laws.fibre_stiffness = \"1 + sin(1e7*eps)\"\n").find("varies too quickly near eps = "),
             std::string::npos);
@@ -108,7 +108,7 @@ TEST(LawRules, JudgeALawWithTheParametersAsTheyAre) {
   const std::string law = "laws.curvature_factor = \"kappa_w/0.25\"\n";
   EXPECT_EQ(faults_in(law), "");
   const std::string wider = faults_in(law, {"actomyosin.curvature_width=0.5 1/um", "ecm.viscosity=900 Pa s"});
-  EXPECT_TRUE(wider.starts_with("f.toml:1:25: laws.curvature_factor: is 2; allowed is")) << wider;
+  EXPECT_TRUE(wider.starts_with("f.toml:1:25: laws.curvature_factor: is 2 at any argument; allowed is")) << wider;
 }
 
 TEST(LawRules, AStifferFibreNeedsAShorterStep) {
