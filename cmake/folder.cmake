@@ -16,7 +16,7 @@ target_compile_options(
             -fno-math-errno
             -fno-semantic-interposition # functions may be inlined although libraries are position independent
             $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>) # GCC 12 warns falsely on std::string (GCC bug 105651)
-if(CMAKE_UNITY_BUILD) # several sources at a time: names that one hides from the other; the other presets look for them
+if(CMAKE_UNITY_BUILD) # several sources at a time: names that one hides from the other; the preset dev looks for them
   target_compile_options(matrigrate_options INTERFACE -Wno-shadow $<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>)
 endif()
 

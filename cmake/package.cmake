@@ -31,5 +31,5 @@ set(CPACK_DEBIAN_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON) # the shared libraries that the program needs, by dpkg-shlibdeps
 set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "python3, python3-pandas, python3-h5py, python3-matplotlib, python3-xxhash")
 set(CPACK_DEBIAN_PACKAGE_SUGGESTS # for movies and figures; for projects that use the libraries
-    "nodejs, chromium, ffmpeg, g++, cmake, libeigen3-dev, libfmt-dev, libtbb-dev, libtomlplusplus-dev, nlohmann-json3-dev, libhdf5-dev, libmuparser-dev, libpng-dev, libtiff-dev, libboost-math-dev, librandom123-dev, libxxhash-dev, zlib1g-dev")
+    "nodejs, chromium, ffmpeg, g++, cmake, libeigen3-dev, libfmt-dev, libtbb-dev, libtomlplusplus-dev, nlohmann-json3-dev, libhdf5-dev, libmuparser-dev, libpng-dev, libtiff-dev, libboost-math-dev, libxxhash-dev, zlib1g-dev")
 include(CPack)

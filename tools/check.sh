@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # One of the checks that ./test leaves out. Installs what is missing for it.
-#   tools/check.sh dev|asan|tsan     builds with this preset, each source alone, and runs the tests of ./test
+#   tools/check.sh dev|asan|tsan     builds with this preset and runs the tests of ./test
 #   tools/check.sh tidy              clang-tidy on every source, in large units
 #   tools/check.sh fuzz [SECONDS]    each fuzzer from its corpus, for 300 s unless told otherwise
 #   tools/check.sh coverage          which lines the tests run

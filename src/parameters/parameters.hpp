@@ -81,9 +81,9 @@ struct FibreParameters {
   FibreFieldParameters field;
 };
 
-/// Profile of the curvature factor of the actomyosin tension.
-
-/// How the drag system of a step is solved.
+/// How the drag system of a step is solved:
+/// conjugate gradients with multigrid as their preconditioner,
+/// or with the diagonal.
 enum class SolverMethod { multigrid, conjugate_gradient };
 
 struct CellParameters {
