@@ -29,7 +29,7 @@ src/model/sph/kernel.hpp|(2.0 * q + 1.0)|(2.0 * q + 1.01)|sph|kernel
 src/model/cell/actomyosin.cpp|std::min(f_mat_i, f_mat_j)|std::max(f_mat_i, f_mat_j)|cell|actomyosin, Eq. 6
 src/model/cell/area.cpp|std::max(0.0, initial_area(p) - area(c))|initial_area(p) - area(c)|cell|area
 src/model/protrusion/adhesion.cpp|-p.zeta_diss * F / f_mat|-p.zeta_diss * F * f_mat|protrusion|disassembly, Eq. 7
-src/model/protrusion/maturation.cpp|(steps + p.adhesion.step_threshold)|steps|protrusion|maturation, Eq. 8
+src/model/protrusion/maturation.cpp|(steps + p.adhesion.step_threshold)|steps|protrusion|force of a step of maturation
 src/model/protrusion/growth.cpp|? 1.0 / area : 1.0|? 2.0 - area : 1.0|protrusion|area limit, Eq. 10
 '
 files='
@@ -38,7 +38,7 @@ src/model/state/members.hpp|visit(StateMember{"falling", "nN"}, s.falling);||sto
 src/run/store/checkpoint.cpp|else if (!value.empty())|else if (!value.empty() && !member.may_be_empty)|store|fields of the matrix are left out of the checkpoint
 src/model/state/image.cpp|put(value.value_or(0.0));|put(0.0);|store|the polarization is left out of the image
 src/run/store/saved_frames.cpp|saved.size() < times.size()|saved.empty()|store|frames missing in the log are not taken from the field file
-src/run/store/run_memory.cpp|text_hash(text) != hash|false|store|a table that was edited is taken
+src/run/store/run_memory.cpp|text_hash(text) != hash|hash.empty()|store|a table that was edited is taken
 src/run/observe/even_times.cpp|= times[1] - times[0];|= times.back() - times[0];|observe|the interval of even times is the whole time
 src/run/cadence.hpp|(t + m_slack) / m_interval|t / m_interval|run|an event is due twice where times are rounded down
 src/run/stopped_run.cpp|expected != configuration_hash(found.p)|expected.empty()|run|a checkpoint of another scenario is taken
