@@ -19,7 +19,7 @@ complete -c matrigrate -n '__matrigrate_at' -a new -d 'Write a commented scenari
 complete -c matrigrate -n '__matrigrate_at' -a check -d 'Validate scenarios and studies; print every fault at once'
 complete -c matrigrate -n '__matrigrate_at' -a explain -d 'What a scenario means and needs, before anything is computed'
 complete -c matrigrate -n '__matrigrate_at' -a run -d 'Simulate a cell, or several; write tracks, protrusions, read-outs and pictures'
-complete -c matrigrate -n '__matrigrate_at' -a resume -d 'Go on with a run from its last checkpoint, or branch off from it'
+complete -c matrigrate -n '__matrigrate_at' -a resume -d 'Resume a run from its last checkpoint, or branch off from it'
 complete -c matrigrate -n '__matrigrate_at' -a report -d 'Make report.html of a run or a study anew, from its files'
 complete -c matrigrate -n '__matrigrate_at' -a open -d 'Open the page of a run, a study or `reproduce` in the browser'
 complete -c matrigrate -n '__matrigrate_at' -a export -d 'Write a run in other formats: VTK, tracks, figures, a movie; of a study, its tracks'

@@ -180,10 +180,10 @@ double Law::operator()(std::initializer_list<double> arguments) const {
   const double value = m_formula->at({arguments.begin(), arguments.size()});
   if (in_range(*m_row, value)) return value;
   const std::vector<bool> all(arguments.size(), true);
-  throw NumericalFailure(FailureCause::law,
-                         fmt::format("{} {}", m_row->path,
-                                     law_fault(*m_row, value,
-                                               law_arguments(*m_row, {arguments.begin(), arguments.size()}, all))));
+  throw NumericalFailure(
+      FailureCause::law,
+      fmt::format("{} {}", m_row->path,
+                  law_fault(*m_row, value, law_arguments(*m_row, {arguments.begin(), arguments.size()}, all))));
 }
 
 std::string fault_of_constants(const Parameters& p) {

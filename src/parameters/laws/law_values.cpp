@@ -85,7 +85,8 @@ std::vector<Part> parts_of(std::string_view text) {
   return parts;
 }
 
-/// " (1/kappa, at character 5, is infinite)": the shortest part of a formula that is not finite; empty if there is none.
+/// " (1/kappa, at character 5, is infinite)": the shortest part of a formula that is not finite; empty if there is
+/// none.
 std::string place_of_fault(const Row& law, const Parameters& p, const std::string& text,
                            std::span<const double> arguments) {
   for (const Part& part : parts_of(text)) {

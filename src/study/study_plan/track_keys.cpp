@@ -25,6 +25,7 @@ public:
   tracks::TrackOptions options() {
     tracks::TrackOptions options;
     options.spelling = tracks::Spelling::keys;
+    options.shortest = 2; // also of the copy in the folder of the study, which has all tracks that count
     options.pixel = quantity("pixel", "um");
     options.interval = quantity("interval", "s");
     if (const auto* node = m_table.get("time_unit")) options.time_unit = m_faults.text(*node, key("time_unit"));

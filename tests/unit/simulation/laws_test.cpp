@@ -94,10 +94,9 @@ std::string faults_in(const std::string& text, const std::vector<std::string>& o
 }
 
 TEST(LawRules, TellWhereAValueIsNotAllowed) {
-  EXPECT_EQ(
-      faults_in("[laws]\npolarization_rate = \"-r_pol\"\n"),
-      "f.toml:2:21: laws.polarization_rate: is -0.0011 1/s at any argument; allowed is >= 0 and <= 1e+06 1/s; "
-      "max(0, ...) keeps it from falling below");
+  EXPECT_EQ(faults_in("[laws]\npolarization_rate = \"-r_pol\"\n"),
+            "f.toml:2:21: laws.polarization_rate: is -0.0011 1/s at any argument; allowed is >= 0 and <= 1e+06 1/s; "
+            "max(0, ...) keeps it from falling below");
   EXPECT_EQ(faults_in("laws.polarization_rate = \"r_pol/2\"\n"), "");
   EXPECT_NE(faults_in("laws.fibre_stiffness = \"1 + sin(1e7*eps)\"\n").find("varies too quickly near eps = "),
             std::string::npos);
