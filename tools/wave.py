@@ -64,35 +64,45 @@ def keep(wave, results):
     """Adds the runs that are done to the kept table; a run that is there already stays as it is."""
     table = pandas.read_csv(results)
     table = table[table["status"].isin(["done", "failed"])]
-    table = table.drop(columns=["run", "status", "reason", "duration_s"])
+    wanted = {"label", "replicate", "seed", "cause", "trajectory_hash", *first_wave()["readouts"],
+              *(one.readout for one in read_outcomes(KEPT / "outcomes.toml")), *ranges_of(table)}
+    table = table[[name for name in table if name in wanted]]
     file = KEPT / f"wave-{wave}.csv"
     if file.exists():
-        table = pandas.concat([pandas.read_csv(file), table]).drop_duplicates(["label", "replicate"])
+        before = pandas.read_csv(file)
+        table = pandas.concat([before[[name for name in before if name in wanted]], table]).drop_duplicates(["label", "replicate"])
     number = table["label"].str.extract(r"(\d+)$")[0].astype(int)
     table = table.iloc[number.argsort(kind="stable")]
-    table = table.drop(columns=[name for name in table if table[name].isna().all() and name != "cause"])
     table.to_csv(file, index=False, float_format="%.6g")
 
 
 def kept(wave):
     """The runs of a kept table, with the name of their condition."""
-    study = tomllib.loads((KEPT / f"wave-{wave}.toml").read_text(encoding="utf-8"))
     table = pandas.read_csv(KEPT / f"wave-{wave}.csv")
     table["condition"] = [label.rsplit(": ", 1)[0] for label in table["label"]]
     lost = int((table["cause"] == "rim").sum()) if "cause" in table else 0
     if lost:
         print(f"wave {wave}: {lost} of {len(table)} runs ended at the rim and are left out")
-    return study, table[table["tau_prot_min"].notna() | table["n_protrusions"].notna()]
+    return table[table["tau_prot_min"].notna() | table["n_protrusions"].notna()]
 
 
-def prior_of(study, table):
-    """The ranges of the first wave, by the names of columns."""
+def first_wave():
+    return tomllib.loads((KEPT / "wave-1.toml").read_text(encoding="utf-8"))
+
+
+def ranges_of(table):
+    """The ranges of the first wave, by the columns of the table, as they are written."""
     found = {}
-    for section, keys in study["latin_hypercube"].items():
-        for key, (low, high, *scale) in keys.items() if isinstance(keys, dict) else []:
+    for section, keys in first_wave()["latin_hypercube"].items():
+        for key, ends in keys.items() if isinstance(keys, dict) else []:
             column = next(name for name in table if name == f"{section}.{key}" or name.startswith(f"{section}.{key}_"))
-            found[column] = (float(str(low).split()[0]), float(str(high).split()[0]), *scale)
+            found[column] = ends
     return found
+
+
+def prior_of(table):
+    """The same in numbers, as ``match`` takes them."""
+    return {column: (float(str(low).split()[0]), float(str(high).split()[0]), *scale) for column, (low, high, *scale) in ranges_of(table).items()}
 
 
 def main():
@@ -109,8 +119,7 @@ def main():
     if not options.match_only:
         runs(options.wave, options.program.resolve(), options.folder, options.jobs)
     waves = [kept(wave) for wave in range(1, options.wave + 1)]
-    found = match([table for _, table in waves], read_outcomes(KEPT / "outcomes.toml"), prior=prior_of(waves[0][0], waves[0][1]),
-                  allowed=options.allowed)
+    found = match(waves, read_outcomes(KEPT / "outcomes.toml"), prior=prior_of(waves[0]), allowed=options.allowed)
     print(found, found.best.to_string(float_format="%.3g"), found.exclusions.head(15).to_string(float_format="%.3g"), sep="\n\n")
     page = found.write(options.folder / f"match-{options.wave}", overwrite=True)
     tables = KEPT / f"wave-{options.wave}"

@@ -328,11 +328,11 @@ protrusion.force = ["0.2 nN", "0.6 nN"]
         sys.path.insert(0, str(common.source / "tools"))
         self.addCleanup(sys.path.pop, 0)
         wave = importlib.import_module("wave")
-        study, table = wave.kept(1)
-        ranges = wave.prior_of(study, table)
+        table = wave.kept(1)
+        ranges = wave.prior_of(table)
         self.assertEqual(len(ranges), 12)
         self.assertEqual(ranges["cell.bending_stiffness_N_m"], (5e-17, 5e-16, "log"))
-        self.assertEqual(set(table["condition"]), {one["label"] for one in study["conditions"]})
+        self.assertEqual(set(table["condition"]), {one["label"] for one in wave.first_wave()["conditions"]})
         for name, (low, high, *_) in ranges.items():
             self.assertTrue(table[name].between(low, high).all(), name)
 
