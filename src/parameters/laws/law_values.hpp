@@ -20,7 +20,8 @@ fields::Expression law_formula(const Row& law, const Parameters& p, const std::s
 /// "F = 0.3 nN, f_mat = 0.5".   @param named  which variables are told
 std::string law_arguments(const Row& law, std::span<const double> arguments, const std::vector<bool>& named);
 
-/// "is -2 1/s at F = 1 nN; allowed is >= 0 and <= 1e+06 1/s; ...": what is wrong with a value out of the law's range, and what helps.
+/// "is -2 1/s at F = 1 nN; allowed is >= 0 and <= 1e+06 1/s; ...": what is wrong with a value out of the law's range,
+/// and what helps.
 /// @param where  the arguments there
 std::string law_fault(const Row& law, double value, const std::string& where);
 
