@@ -73,7 +73,7 @@ def keep(wave, results):
         table = pandas.concat([before[[name for name in before if name in wanted]], table]).drop_duplicates(["label", "replicate"])
     number = table["label"].str.extract(r"(\d+)$")[0].astype(int)
     table = table.iloc[number.argsort(kind="stable")]
-    table.to_csv(file, index=False, float_format="%.6g")
+    table.to_csv(file, index=False, float_format="%.4g")
 
 
 def kept(wave):
@@ -130,6 +130,8 @@ def main():
     if options.points:
         study = KEPT / f"wave-{options.wave + 1}.toml"
         found.write_study(study, options.points, KEPT / "wave-1.toml")
+        text = study.read_text(encoding="utf-8")
+        study.write_text(text.replace(": first wave\"", f": wave {options.wave + 1}\"", 1), encoding="utf-8")
         print(f"next: {study}")
 
 
