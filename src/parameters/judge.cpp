@@ -50,10 +50,7 @@ Answer answer(const Question& question) {
   std::string fault = assign(*row, typed_value(question), p);
   const auto* member = std::get_if<double& (*)(Parameters&)>(&row->member);
   if (!fault.empty() || member == nullptr) return {std::move(fault)};
-  const double value = (*member)(p);
-  const units::Unit unit = unit_of(*row);
-  const std::string number = units::from_internal(value, unit);
-  return {{}, number.empty() ? value / units::to_internal("1", unit) : std::strtod(number.c_str(), nullptr)};
+  return {{}, units::number_in((*member)(p), unit_of(*row))};
 }
 
 } // namespace

@@ -316,6 +316,11 @@ std::string from_internal(double value, const Unit& unit) {
   return to_internal(text, unit) == value ? text : std::string();
 }
 
+double number_in(double value, const Unit& unit) {
+  const std::string text = from_internal(value, unit);
+  return text.empty() ? value / to_internal(1.0, unit) : value_of<double>(text);
+}
+
 std::string to_string(const Dimension& d) {
   struct Word {
     Dimension dimension;

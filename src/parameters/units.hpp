@@ -76,4 +76,7 @@ double to_internal(double number, const Unit& unit);
 ///         reasonable length (never if unit.decimal())
 std::string from_internal(double value, const Unit& unit);
 
+/// The same as a number; to the nearest double where there is no such decimal (22 min in h).
+double number_in(double value, const Unit& unit);
+
 } // namespace matrigrate::units

@@ -21,7 +21,7 @@ Json value_of(const Row& row, const Parameters& p) {
   const units::Quantity q = units::parse_quantity(text);
   if (kind(row) != Kind::quantity) return std::stod(q.number);
   const double internal = units::to_internal(q.number, units::parse_unit(q.unit));
-  return std::stod(units::from_internal(internal, units::parse_unit(row.unit)));
+  return units::number_in(internal, units::parse_unit(row.unit));
 }
 
 /// The values of a parameter over all points, each once.

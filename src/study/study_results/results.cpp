@@ -76,7 +76,7 @@ std::string swept_text(const Point& point, const std::string& key) {
   const auto quantity = units::parse_quantity(text);
   if (quantity.unit == row.unit) return quantity.number;
   const double internal = units::to_internal(quantity.number, units::parse_unit(quantity.unit));
-  return units::from_internal(internal, units::parse_unit(row.unit));
+  return fmt::format("{}", units::number_in(internal, units::parse_unit(row.unit)));
 }
 
 /// A read-out of summary.json; of several cells its mean over those for which it is defined.

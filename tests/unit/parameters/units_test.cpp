@@ -137,6 +137,8 @@ TEST(Units, NumbersComeBackAsPeopleWriteThem) {
 
 TEST(Units, AnHourDoesNotHoldEveryDouble) {
   EXPECT_EQ(from_internal(21600.1234567891, parse_unit("h")), "");
+  EXPECT_EQ(number_in(1800.0, parse_unit("h")), 0.5);
+  EXPECT_DOUBLE_EQ(number_in(1320.0, parse_unit("h")), 22.0 / 60.0) << "no short decimal";
   EXPECT_FALSE(parse_unit("h").decimal());
 }
 

@@ -24,6 +24,14 @@ TEST(StudyData, AxesHoldValuesInOrder) {
   EXPECT_EQ(axes_json(read("")).size(), 1U) << "a study of one point";
 }
 
+TEST(StudyData, AxesHoldTimesThatAreNoShortDecimalOfTheirUnit) {
+  const nlohmann::ordered_json axes = axes_json(read("[sweep]\nrun.duration = [\"22 min\", \"0.5 h\"]\n"));
+  ASSERT_EQ(axes.size(), 1U);
+  EXPECT_EQ(axes.at(0).at("unit"), "h");
+  EXPECT_DOUBLE_EQ(axes.at(0).at("values").at(0).get<double>(), 22.0 / 60.0);
+  EXPECT_EQ(axes.at(0).at("values").at(1), 0.5);
+}
+
 TEST(StudyData, FieldsAreValuesOfAnAxis) {
   const nlohmann::ordered_json axes = axes_json(read("[[points]]\nlabel = \"gel\"\n[[points]]\nlabel = \"track\"\n"
                                                      "ecm.fields.f_degr = \"abs(y) < 5 ? 0 : 1\"\n"));
