@@ -165,15 +165,17 @@ def at(found, held):
     judge, names, cube = found._judge, found.prior.names, slice_of(found, held)
     rows = judge.rows(cube)
     weights, whole = (numpy.exp(-0.5 * (one**2).sum(axis=1)) for one in (rows, judge.known))
+    likelihood = weights.mean() / whole.mean()
     mean = numpy.average(cube, axis=0, weights=weights)
     spread = numpy.sqrt(numpy.average((cube - mean)**2, axis=0, weights=weights))
     ends = [found.prior.from_cube(numpy.clip(one, 0, 1)[None])[0] for one in (mean, mean - spread, mean + spread)]
-    print(f"likelihood over that of the whole space: {weights.mean() / whole.mean():.2g} "
+    print(f"likelihood over that of the whole space: {likelihood:.2g} "
           f"(from {weights.sum()**2 / (weights**2).sum():.0f} points); plausible: {(judge.deep(rows) < found.cutoff).mean():.3g} of it")
     print(pandas.DataFrame(dict(zip(("mean", "low", "high"), ends)), index=names).to_string(float_format="%.3g"))
-    print(pandas.Series(judge.rows(mean[None])[0], index=judge.names, name="implausibility at the mean").to_string(float_format="%.2f"))
-    predicted = found.predict(pandas.DataFrame([ends[0]], columns=names))
+    print(pandas.DataFrame({"implausibility at the mean": judge.rows(mean[None])[0]}, index=judge.names).to_string(float_format="%.2f"))
+    predicted = found.predict(pandas.DataFrame([ends[0]], columns=names, index=["predicted at the mean"]))
     print(predicted.T.to_string(float_format="%.3g"))
+    return likelihood
 
 
 def write_next(found, study, points, held):
