@@ -4,7 +4,6 @@ import importlib
 import io
 import math
 import pathlib
-import re
 import sys
 import tempfile
 import tomllib
