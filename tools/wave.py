@@ -193,6 +193,12 @@ def write_next(found, study, points, held):
     print(f"next: {study}")
 
 
+def value_of(text):
+    """A parameter, named as in the tables, and its value: KEY=NUMBER."""
+    key, _, value = text.partition("=")
+    return key, float(value)
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("program", type=Path)
@@ -202,7 +208,7 @@ def main():
     parser.add_argument("--next", type=int, default=0, dest="points")
     parser.add_argument("--allowed", type=int, default=2)
     parser.add_argument("--match-only", action="store_true")
-    parser.add_argument("--at", action="append", default=[], metavar="KEY=VALUE")
+    parser.add_argument("--at", action="append", default=[], metavar="KEY=VALUE", type=value_of)
     options = parser.parse_args()
     study = KEPT / f"wave-{options.wave + 1}.toml"
     if options.points and study.exists():
@@ -220,7 +226,7 @@ def main():
     for name in TABLES:
         shutil.copy(page.parent / name, tables / name)
     print(f"page: {page}; tables: {tables}")
-    held = {key: float(value) for key, value in (one.split("=") for one in options.at)}
+    held = dict(options.at)
     if held:
         at(found, held)
     if options.points:
