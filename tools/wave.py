@@ -196,7 +196,10 @@ def write_next(found, study, points, held):
 def value_of(text):
     """A parameter, named as in the tables, and its value: KEY=NUMBER."""
     key, _, value = text.partition("=")
-    return key, float(value)
+    try:
+        return key, float(value)
+    except ValueError:
+        raise argparse.ArgumentTypeError(f"{text} is not KEY=NUMBER, as adhesion.spread=1") from None
 
 
 def main():
