@@ -4,18 +4,36 @@
 # Numbers of tables are kept with six digits, places of paths, shapes and pictures to a tenth of a micrometre.
 # Studies that are not in the folder, or of which runs have not ended, stay as they are kept.
 #   tools/keep_results.sh PROGRAM FOLDER_OF_REPRODUCE
-# --part: copies the results so far to docs/validation/part, and judges nothing. To go on from them, on any
-# machine: reproduce ID --kept docs/validation/part -o FOLDER
-#   tools/keep_results.sh --part FOLDER_OF_REPRODUCE
+# --to NAME: copies the tables so far to docs/validation/NAME, and judges nothing: of studies of which runs have not
+# ended, and of another set of closures. To go on from them, on any machine: reproduce ID --kept docs/validation/NAME -o FOLDER
+#   tools/keep_results.sh --to NAME FOLDER_OF_REPRODUCE
 set -euo pipefail
-part=
-[ "$1" != --part ] || part=1
-[ -n "$part" ] || program=$(realpath "$1")
+to=docs/validation
+apart=
+if [ "$1" = --to ]; then
+  apart=$2
+  shift
+else
+  program=$(realpath "$1")
+fi
 from=$(realpath "$2")
 cd "$(dirname "$0")/.."
-to=docs/validation
+[ -z "$apart" ] || to=$to/$apart
+mkdir -p "$to"
 rounded() { perl -pe 's/(?<![\w.])-?\d+\.\d{5,}(?:e[-+]?\d+)?(?![\w.])/sprintf("%.6g", $&)/ge' "$1"; }
 tenths() { perl -pe 's/(?<=,)-?\d+\.\d{2}(?=,)/sprintf("%.1f", $&) =~ s{^-?0\.0$}{0}r =~ s{\.0$}{}r/ge' "$1"; }
+# ended: a run that has not ended is a missing one; why it stopped concerns the machine that it ran on
+ended() {
+  python3 -c 'import csv, sys
+rows = csv.reader(sys.stdin)
+head = next(rows)
+out = csv.writer(sys.stdout, lineterminator="\n")
+out.writerow(head)
+status = head.index("status")
+for row in rows:
+    left = row[status] in ("unfinished", "running", "interrupted")
+    out.writerow([*row[:status], "missing", *[""] * (len(head) - status - 1)] if left else row)'
+}
 for folder in "$from"/*/; do
   study=$(basename "$folder")
   [ -e "studies/${study%-larger-disc}.toml" ] || continue
@@ -23,13 +41,8 @@ for folder in "$from"/*/; do
     echo "$study: not kept, since it has no results" >&2
     continue
   fi
-  if [ -n "$part" ]; then
-    mkdir -p "$to/part"
-    cp "$folder/results.csv" "$to/part/$study-results.csv"
-    continue
-  fi
   # in the larger disc are only cells that reached the rim
-  if [ "${study%-larger-disc}" = "$study" ] && grep -qE ',(missing|unfinished|running|interrupted),' "$folder/results.csv"; then
+  if [ -z "$apart" ] && [ "${study%-larger-disc}" = "$study" ] && grep -qE ',(missing|unfinished|running|interrupted),' "$folder/results.csv"; then
     echo "$study: not kept, since some of its runs have not ended" >&2
     continue
   fi
@@ -42,11 +55,11 @@ for folder in "$from"/*/; do
   for table in $tables; do
     short=rounded
     case $table in paths | shapes) short=tenths ;; esac
-    [ ! -e "$folder/$table.csv" ] || $short "$folder/$table.csv" >"$to/$study-$table.csv"
+    case $table in results) last=ended ;; *) last="cat" ;; esac
+    [ ! -e "$folder/$table.csv" ] || $short "$folder/$table.csv" | $last >"$to/$study-$table.csv"
   done
-  rm -f "$to/part/$study-results.csv"
 done
-[ -z "$part" ] || exit 0
+[ -z "$apart" ] || exit 0
 for case in fibres fibres-uniaxial disassembly; do
   [ -e "$from/validate-$case/results.json" ] || continue
   sed '/^  "folder":/d; /"wall_time_s":/d' "$from/validate-$case/results.json" >"$to/validate-$case.json"

@@ -78,15 +78,23 @@ def study_of_missing_points(wave, program, folder):
     return file
 
 
-def first_protrusions(wave, program, folder, jobs):
-    """Runs first protrusions at the points of a wave, and keeps their f_mat and length."""
+def study_of_first_protrusions(wave, program, folder):
+    """The study of first protrusions at the points of a wave."""
     head, points = written_out(wave, program, folder)
-    file, study = folder / f"wave-{wave}-first.toml", folder / f"wave-{wave}-first"
     conditions = "".join(FIRST.format(force=force) for force in FORCES)
+    file = folder / f"wave-{wave}-first.toml"
     file.write_text("[[points]]".join([head.split("[[conditions]]")[0] + conditions + "\n", *points]), encoding="utf-8")
-    subprocess.run([program, "study", "run", file, "-o", study, "--jobs", str(jobs), "--quiet"], check=False)
-    table = pandas.read_csv(study / "results.csv")
-    table[["label", "f_mat", "l_prot_um"]].to_csv(KEPT / f"wave-{wave}-first.csv", index=False, float_format="%.4g")
+    return file
+
+
+def first_protrusions(wave, program, folder, jobs):
+    """Runs first protrusions at the points of a wave, and keeps their f_mat and length, where they are not kept yet."""
+    table = KEPT / f"wave-{wave}-first.csv"
+    if table.exists():
+        return
+    study = folder / f"wave-{wave}-first"
+    subprocess.run([program, "study", "run", study_of_first_protrusions(wave, program, folder), "-o", study, "--jobs", str(jobs), "--quiet"], check=True)
+    pandas.read_csv(study / "results.csv")[["label", "f_mat", "l_prot_um"]].to_csv(table, index=False, float_format="%.4g")
 
 
 def keep(wave, results):

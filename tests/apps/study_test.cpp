@@ -305,6 +305,15 @@ TEST_F(Study, ReproducesNothingOverFilesOfTheUser) {
   EXPECT_EQ(file("u/validate-disassembly/disassembly.csv"), "mine");
 }
 
+TEST_F(Study, TimesThatAreNoShortDecimalOfTheirUnitAreNumbers) {
+  write("times.toml", "scenario = \"s.toml\"\nreplicates = 1\n[sweep]\nrun.duration = [\"7 s\", \"3.6 s\"]\n");
+  const Ended ended = run("study run times.toml --quiet");
+  ASSERT_EQ(ended.code, 0) << ended.err << ended.out;
+  EXPECT_TRUE(contains(file("times-study/results.csv"), ",0.0019444444444444444,")) << file("times-study/results.csv");
+  EXPECT_TRUE(contains(file("times-study/results.csv"), ",0.001,")) << "of an hour";
+  EXPECT_TRUE(exists("times-study/report.html"));
+}
+
 TEST_F(Study, FieldsCountFromItsFolderAndTheirContentDecides) {
   const std::string grid = "x_um,y_um,E_Pa\n-60,-60,100\n60,-60,300\n-60,60,100\n60,60,300\n";
   for (const char* there : {"A", "A/other"}) std::filesystem::create_directory(folder / there);

@@ -2,8 +2,11 @@
 import contextlib
 import importlib
 import io
+import json
 import math
+import os
 import pathlib
+import subprocess
 import sys
 import tempfile
 import tomllib
@@ -356,6 +359,13 @@ protrusion.force = ["0.2 nN", "0.6 nN"]
         self.assertEqual(table["condition"].isin(first).sum(), 128, "64 points, each with its parameters")
         for name, (low, high, *_) in ranges.items():
             self.assertTrue(table[name].between(low, high).all(), name)
+
+    def test_first_protrusions_are_a_study_at_the_points_of_a_wave(self):
+        wave = search(self)
+        program = os.environ["MATRIGRATE"]
+        file = wave.study_of_first_protrusions(1, program, self.folder)
+        plan = json.loads(subprocess.run([program, "study", "plan", file, "--json"], check=True, capture_output=True, text=True).stdout)
+        self.assertEqual({run["label"] for run in plan["runs"]}, set(pandas.read_csv(wave.KEPT / "wave-1-first.csv")["label"]))
 
     def test_columns_of_parameters(self):
         for column, key in (("contact.cells.adhesion_range_um", "contact.cells.adhesion_range"), ("ecm.youngs_modulus_Pa", "ecm.youngs_modulus"),
