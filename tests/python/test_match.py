@@ -365,7 +365,7 @@ protrusion.force = ["0.2 nN", "0.6 nN"]
         program = os.environ["MATRIGRATE"]
         file = wave.study_of_first_protrusions(1, program, self.folder)
         plan = json.loads(subprocess.run([program, "study", "plan", file, "--json"], check=True, capture_output=True, text=True).stdout)
-        self.assertEqual({run["label"] for run in plan["runs"]}, set(pandas.read_csv(wave.KEPT / "wave-1-first.csv")["label"]))
+        self.assertEqual({point["label"] for point in plan["points"]}, set(pandas.read_csv(wave.KEPT / "wave-1-first.csv")["label"]))
 
     def test_columns_of_parameters(self):
         for column, key in (("contact.cells.adhesion_range_um", "contact.cells.adhesion_range"), ("ecm.youngs_modulus_Pa", "ecm.youngs_modulus"),
