@@ -45,8 +45,6 @@ STUDIES = [  # name, what varies
     ("kept-protrusions", "D: protrusions kept up"),
     ("kept-protrusions-fibres", "E: protrusions kept up, among uniaxial fibres"),
 ]
-NEW_SEEDS = [("50 Pa: all", "50 Pa"), ("200 Pa: all", "200 Pa"), ("400 Pa: all", "400 Pa"), ("one: all", "n_prot 1"),
-             ("three: all", "3"), ("four: all", "4"), ("fibres one: all", "fibres, n_prot 1"), ("fibres two: all", "2")]
 
 
 def rows_of(path: pathlib.Path) -> list[dict[str, str]]:
@@ -170,7 +168,7 @@ def constrictions(_page: str) -> str:
     """Row X4 by width and kind: speed and number of the runs that finished; after a slash the same with those that ended at the rim made again."""
     rows, again = (rows_of(KEPT / f"channel-width{disc}-results.csv") for disc in ("", "-larger-disc"))
     if not rows:
-        return "The runs of the second set are still to be made."
+        return "The runs are still to be made."
     column, kinds = "v_migr_abs_um_per_h", [", no degradation", ", nucleus, no degradation", "", ", nucleus"]
     made = []
     for width in dict.fromkeys(row["label"].split(",")[0] for row in rows):
@@ -189,7 +187,7 @@ def study_means(_page: str) -> str:
     for name, varies in STUDIES:
         rows = rows_of(KEPT / f"{name}-results.csv")
         if not rows:
-            parts.append(f"**{varies}**: the runs of the second set are still to be made.")
+            parts.append(f"**{varies}**: the runs are still to be made.")
             continue
         labels = list(dict.fromkeys(row["label"] for row in rows))
         runs = sum(row["label"] == labels[0] for row in rows)
@@ -208,12 +206,8 @@ def study_means(_page: str) -> str:
     return "\n\n".join(parts)
 
 
-def new_seeds(_page: str) -> str:
-    return means(rows_of(KEPT / "second-set-results.csv"), NEW_SEEDS, ("v_migr_path_600s_um_per_h", "n_unadhered", "n_simultaneous_mean"))
-
-
 PARTS = {"bottom line": bottom_line, "claims": claims, "verdicts": verdicts, "experiments": experiments,
-         "experiment verdicts": experiment_verdicts, "constrictions": constrictions, "means": study_means, "new seeds": new_seeds}
+         "experiment verdicts": experiment_verdicts, "constrictions": constrictions, "means": study_means}
 PART = re.compile(r"(<!-- generated: ([\w ]+) -->\n).*?(<!-- end -->)", re.DOTALL)
 
 

@@ -94,7 +94,7 @@ struct CellParameters {
   double spring_stiffness = 2.8;    ///< k_s [nN/um]
   double crowding = 0.5;            ///< share of its initial length below which a segment resists compression [-]
   double dashpot = 2.5;             ///< eta_c [nN s/um]
-  double bending_stiffness = 0.05;  ///< k_bend [nN um]
+  double bending_stiffness = 0.36;  ///< k_bend [nN um]
   double area_stiffness = 0.71e-3;  ///< k_A [nN/um^2]
   double repulsion_stiffness = 1.4; ///< k_rep [nN/um^1.5]
   double repulsion_distance = 0.2;  ///< d_rep [um]
@@ -112,9 +112,9 @@ struct CellContactParameters {
 struct ContactParameters {
   double range = 1.4;             ///< d_c [um]
   double sample_spacing = 0.8;    ///< points of the viscous coupling on a segment are no further apart [um]
-  double fluid_share = 0.15;      ///< of the viscous coupling to solid, with the fluid outside growing and maturing
+  double fluid_share = 0.2;       ///< of the viscous coupling to solid, with the fluid outside growing and maturing
                                   ///< protrusions [-]
-  double body_fluid_share = 0.15; ///< the same of the rest of the cortex [-]
+  double body_fluid_share = 0.08; ///< the same of the rest of the cortex [-]
   double deepest_solid = 0.3;     ///< a solid particle deeper inside the cell becomes fluid at once [um]
   CellContactParameters cells;
 };
@@ -154,9 +154,9 @@ struct ProtrusionParameters {
   double finishing_time = 400.0;               ///< T_finish [s]
   int number = 0; ///< n_prot, target number of simultaneous protrusions; 0: initiated at initiation_rate
   double candidate_interval = 0.4; ///< with a kept number: one candidate is drawn in so much time [s]
-  double rear_share = 0.01;  ///< with a kept number: chance of a particle of the rear over that of one of the front [-]
-  double least_facing = 0.8; ///< least mean of max(0, n . d_prot) of the pushing particles at initiation [-]
-  double area_limit = 2.0;   ///< with a kept number: none is initiated beyond this area over A_0 [-]
+  double rear_share = 0.01; ///< with a kept number: chance of a particle of the rear over that of one of the front [-]
+  double least_facing = 0.87; ///< least mean of max(0, n . d_prot) of the pushing particles at initiation [-]
+  double area_limit = 2.0;    ///< with a kept number: none is initiated beyond this area over A_0 [-]
 };
 
 struct AdhesionParameters {
@@ -166,7 +166,7 @@ struct AdhesionParameters {
   double least_support = 0.02;     ///< share of solid around the anchor below which the adhesion is lost [-]
   double maturation_time = 600.0;  ///< T_mat [s]
   double step_threshold = 0.98;    ///< share of a step's force at which the next one begins [-]
-  double rest_speed = 0.004;       ///< of the tip, below which the first step may be done [um/s]; 0: at any speed
+  double rest_speed = 0.0027;      ///< of the tip, below which the first step may be done [um/s]; 0: at any speed
   double base_drag = 1000.0;       ///< drag of each pinned base particle while maturing [nN s/um]
   int pinned_particles = 3;        ///< of either end of a maturing protrusion
   double maturation_strands = 1.0; ///< strands of actomyosin whose full pull is the F_am of F_mat [-]
@@ -206,7 +206,7 @@ struct CueParameters {
 /// Laws as formulas, at first those of the paper; parameters/laws/law.hpp says what they may contain.
 struct LawParameters {
   std::string fibre_stiffness = "eps < 0 ? 0 : eps <= eps_s ? 1 : exp((eps - eps_s)/d_s)"; ///< over k_0, Eq. 5 [-]
-  std::string curvature_factor = "exp(-0.5*((kappa - kappa_0)/kappa_w)^2)";                ///< f_curv of Eq. 6 [-]
+  std::string curvature_factor = "exp(-((kappa - kappa_0)/kappa_w)^2)";                    ///< f_curv of Eq. 6 [-]
   std::string disassembly_rate = "r_off_min + r_off_0*exp(-zeta_diss*F/f_mat)";            ///< r_off, Eq. 7 [1/s]
   std::string growth_force = "n_prot > 0 && A > 1 ? 1/A : 1";                              ///< over F_prot, Eq. 10 [-]
   std::string initiation_rate = "r_prot";                                                  ///< of a particle [1/s]

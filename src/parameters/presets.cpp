@@ -23,6 +23,11 @@ std::span<const Preset> presets() {
   };
   static const std::vector<Preset> all{
       {"baseline", "The paper's baseline: a matrix of 200 Pa (Figs 5 to 7)", {}},
+      {"second-closures",
+       "The baseline with the second set of closures, the default of version 0.2.0",
+       {"cell.bending_stiffness=5e-17 N m", "contact.fluid_share=0.15", "contact.body_fluid_share=0.15",
+        "protrusion.least_facing=0.8", "adhesion.rest_speed=4 nm/s",
+        "laws.curvature_factor=exp(-0.5*((kappa - kappa_0)/kappa_w)^2)"}},
       {"soft", "The paper's softest matrix: 50 Pa (Figs 5 to 7)", {"ecm.youngs_modulus=50 Pa"}},
       {"stiff", "The paper's stiffest matrix: 400 Pa (Figs 5 to 7)", {"ecm.youngs_modulus=400 Pa"}},
       {"weak-contraction",

@@ -106,7 +106,6 @@ public:
     if (!m_refused) {
       follow_earlier_version();
       follow_integrator();
-      follow_fluid_share();
       check_cells();
       check_rules(rules());
       check_rules(more);
@@ -135,13 +134,6 @@ private:
     const bool usual = m_start.run.time_step == usual_time_step(m_start.run.integrator);
     if (usual && !m_given.contains("run.time_step"))
       m_parameters.run.time_step = usual_time_step(m_parameters.run.integrator);
-  }
-
-  /// A share of the body that nobody has named, and that was the share of protrusions, goes with it.
-  void follow_fluid_share() {
-    const bool one = m_start.contact.body_fluid_share == m_start.contact.fluid_share;
-    if (one && !m_given.contains("contact.body_fluid_share"))
-      m_parameters.contact.body_fluid_share = m_parameters.contact.fluid_share;
   }
 
   /// Nothing of the file was read.

@@ -145,7 +145,7 @@ constexpr std::array rows{
     Row{"contact.fluid_share", [](Parameters& p) -> double& { return p.contact.fluid_share; }, "1", closed(0, 1),
         "", "MODEL.md, I12", "Viscous coupling of growing and maturing protrusions to fluid outside the cell, relative to their coupling to solid"},
     Row{"contact.body_fluid_share", [](Parameters& p) -> double& { return p.contact.body_fluid_share; }, "1", closed(0, 1),
-        "", "MODEL.md, I12", "The same of the rest of the cortex; if left out: fluid_share", usual, "contact.fluid_share"},
+        "", "MODEL.md, I12", "The same of the rest of the cortex", usual, "contact.fluid_share"},
     Row{"contact.sample_spacing", [](Parameters& p) -> double& { return p.contact.sample_spacing; }, "um", closed(0.02, 20),
         "", "MODEL.md, I12", "Largest distance between points of viscous coupling on a segment", numerical},
     Row{"contact.deepest_solid", [](Parameters& p) -> double& { return p.contact.deepest_solid; }, "um", above(0, 20),

@@ -35,10 +35,9 @@ std::string comment(const Row& row) {
 }
 
 /// Whether a new scenario names the value, and does not only show it in a comment. A usual step is left to follow the
-/// integrator, and a body like its protrusions to follow them.
+/// integrator.
 bool is_open(const Row& row, const Parameters& p) {
   if (row.path == "run.time_step") return p.run.time_step != usual_time_step(p.run.integrator);
-  if (row.path == "contact.body_fluid_share") return p.contact.body_fluid_share != p.contact.fluid_share;
   return row.audience == Audience::usual || value_text(row, p) != value_text(row, {});
 }
 

@@ -1,5 +1,7 @@
+#include "parameters/earlier.hpp"
 #include "program.hpp"
 
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
@@ -61,7 +63,8 @@ protected:
     change(path(other_name) + "/run.json", "\"configuration_hash\": \"" + name,
            "\"configuration_hash\": \"" + other_name);
     change(path(other_name) + "/scenario.resolved.toml", "\nspread = 1\n", "\n");
-    change(path(other_name) + "/scenario.resolved.toml", "version = \"0.2.0\"\n", "version = \"0.1.9\"\n");
+    change(path(other_name) + "/scenario.resolved.toml", fmt::format("version = \"{}\"\n", this_version),
+           "version = \"0.1.9\"\n");
   }
 };
 

@@ -114,7 +114,7 @@ class LikeTheProgram(common.InTemporaryFolder):
     def test_a_file_of_the_program_means_what_was_done_before_by_a_key_that_it_lacks(self):
         self.assertEqual(Scenario({"version": "0.2.0"}).adhesion.rest_speed, 0)
         self.assertEqual(Scenario({"version": "0.2.0", "adhesion.rest_speed": 3}).adhesion.rest_speed, 3)
-        self.assertEqual(Scenario({"adhesion.spread": 2}).adhesion.rest_speed, 4, "written by hand: today's default")
+        self.assertEqual(Scenario({"adhesion.spread": 2}).adhesion.rest_speed, 2.7, "written by hand: today's default")
 
     def test_a_parameter_that_has_gone_may_have_the_value_that_is_left(self):
         self.assertEqual(Scenario({"adhesion": {"hold": "matter", "rupture_strands": 2}}), Scenario())

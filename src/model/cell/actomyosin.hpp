@@ -10,7 +10,7 @@
 /// Contraction of the cortex by actomyosin, Heck et al. 2020, Eq. (6). Test: tests/unit/cell/actomyosin_test.cpp
 namespace matrigrate {
 
-/// Curvature factor f_curv = exp(-q^2/2) with q = (kappa - kappa_0)/kappa_w (MODEL.md, I14).
+/// Curvature factor f_curv = exp(-q^2) with q = (kappa - kappa_0)/kappa_w (MODEL.md, I14).
 /// @param kappa  [1/um], convex positive   @return [-], in [0, 1]
 double curvature_factor(double kappa, const ActomyosinParameters& p);
 

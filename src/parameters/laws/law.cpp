@@ -205,7 +205,12 @@ std::string fault_of_law(const Parameters& p, const Row& law) {
   }
 }
 
-bool is_changed(const Row& law, const Parameters& p) { return text_of(law, p) != *law.before; }
+const std::string& usual_text(const Row& law) {
+  static const Parameters usual;
+  return text_of(law, usual);
+}
+
+bool is_changed(const Row& law, const Parameters& p) { return text_of(law, p) != usual_text(law); }
 
 std::vector<const Row*> changed_laws(const Parameters& p) {
   std::vector<const Row*> changed;

@@ -77,7 +77,10 @@ struct LawCurve {
 /// @param points  >= 2
 std::vector<LawCurve> law_curves(const Parameters& p, const Row& law, std::size_t points);
 
-/// Whether a row of kind law is another text than that of the paper, and all such rows.
+/// The default of a row of kind law.
+const std::string& usual_text(const Row& law);
+
+/// Whether a row of kind law is another text than the default, and all such rows.
 bool is_changed(const Row& law, const Parameters& p);
 std::vector<const Row*> changed_laws(const Parameters& p);
 

@@ -217,7 +217,7 @@ std::string fault_of_law_values(const Parameters& p, const Row& law) {
 
 std::vector<LawCurve> law_curves(const Parameters& p, const Row& law, std::size_t points) {
   const fields::Expression changed = law_formula(law, p, text_of(law, p));
-  const fields::Expression paper = law_formula(law, p, std::string(*law.before));
+  const fields::Expression paper = law_formula(law, p, usual_text(law));
   const auto variables = law_variables(law);
   std::vector<std::size_t> drawn_over;
   for (const fields::Expression* formula : {&changed, &paper})

@@ -15,7 +15,7 @@ constexpr Range share{0.0, 1.0};
 constexpr Range weight{0.0, 1e300};
 constexpr Range stiffness{0.0, 1e100};
 
-// `before` is the law of the paper: that of every version without these keys.
+// `before` is the law of every version without these keys.
 // clang-format off
 constexpr std::array rows_of_laws{
     Row{"laws.fibre_stiffness", [](Parameters& p) -> std::string& { return p.laws.fibre_stiffness; }, "1", stiffness,

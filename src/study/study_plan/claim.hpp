@@ -8,9 +8,8 @@
 /// tests/unit/study_plan/read_claims_test.cpp
 namespace matrigrate::study {
 
-/// What a claim is for: closures were chosen on calibration rows, no predicted row was looked at before they were
-/// frozen (docs/closures.md), verification rows test parts of the model, and experiment rows go
-/// beyond the paper.
+/// What a claim is for: closures were chosen on calibration rows and on no predicted row (docs/closures.md),
+/// verification rows test parts of the model, and experiment rows go beyond the paper.
 enum class ClaimKind { calibration, predicted, verification, experiment };
 
 enum class Sign { up, down };

@@ -34,14 +34,14 @@ TEST(CurvatureFactor, IsOneAtTheOptimumAndSymmetricAroundIt) {
   EXPECT_LT(curvature_factor(-3.0, p), 1e-9);
 }
 
-TEST(CurvatureFactor, FallsToExpOfMinusOneHalfAtOneWidth) {
-  EXPECT_NEAR(curvature_factor(0.10, ActomyosinParameters{}), std::exp(-0.5), 1e-12);
+TEST(CurvatureFactor, FallsToOneOverEAtOneWidth) {
+  EXPECT_NEAR(curvature_factor(0.10, ActomyosinParameters{}), std::exp(-1.0), 1e-12);
 }
 
 TEST(CurvatureFactor, OfTheRoundBodyIsSmallerThanOfAConcaveFlank) {
   const ActomyosinParameters p;
-  EXPECT_NEAR(curvature_factor(1.0 / 15.0, p), std::exp(-0.5 * std::pow((1.0 / 15.0 + 0.15) / 0.25, 2)), 1e-12); // 0.69
-  EXPECT_NEAR(curvature_factor(-0.1, p), std::exp(-0.02), 1e-12);
+  EXPECT_NEAR(curvature_factor(1.0 / 15.0, p), std::exp(-std::pow((1.0 / 15.0 + 0.15) / 0.25, 2)), 1e-12); // 0.47
+  EXPECT_NEAR(curvature_factor(-0.1, p), std::exp(-0.04), 1e-12);
 }
 
 TEST(Eq6, TakesTheLesserMaturationOfBothEnds) {

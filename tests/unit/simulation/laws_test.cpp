@@ -24,7 +24,7 @@ namespace {
 void compare(const std::string& key, const Parameters& p,
              const std::function<double(const std::vector<double>&)>& function) {
   const Row& law = *find_row("laws." + key);
-  const fields::Expression text = law_formula(law, p, std::string(*law.before));
+  const fields::Expression text = law_formula(law, p, usual_text(law));
   const auto variables = law_variables(law);
   constexpr int points = 40;
   std::vector<double> at(variables.size());
@@ -56,6 +56,17 @@ std::vector<Parameters> sets() {
                                         "degradation.protrusion_rate=0.1 1/s",
                                         "degradation.body_rate=0.2 1/s"};
   return {Parameters{}, apply_overrides({}, others)};
+}
+
+// Kept results were computed by the formula.
+TEST(LawsOfThePaper, CurvatureHasTheBitsOfItsFormula) {
+  const Parameters p;
+  const Row& law = *find_row("laws.curvature_factor");
+  const fields::Expression text = law_formula(law, p, usual_text(law));
+  for (int i = 0; i <= 100000; ++i) {
+    const double kappa = -1.0 + 2e-5 * i;
+    ASSERT_EQ(text.at({&kappa, 1}), curvature_factor(kappa, p.actomyosin)) << kappa;
+  }
 }
 
 TEST(LawsOfThePaper, AreTheFunctionsThatRun) {

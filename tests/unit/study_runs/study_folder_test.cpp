@@ -45,16 +45,17 @@ TEST(RunsOfStudies, KeepTheirNames) {
     std::string preset, set, name;
   };
   const std::vector<Named> named{
-      {"baseline", "", "d436f2c98f0bb7fc"},
-      {"two-cells", "", "434d19cfb1a49228"},
-      {"fibrillar", "", "6c51f4bbcb3e62fc"},
-      {"two-protrusions-fibres", "", "718095b47d6d59d3"},
-      {"stiffness-gradient", "", "ba95ba50fdf59730"},
-      {"chemotaxis", "", "551782cd8736c370"},
-      {"baseline", "nucleus.radius = \"5 um\"", "c1d8f5a21bda4811"},
-      {"two-cells", "contact.cells.adhesion=\"20 Pa\"", "47e356ad519ec9af"},
-      {"baseline", "protrusion.deflection_cone = \"37 deg\"", "3dfe7833d82c1979"},
-      {"baseline", "adhesion.hold=\"matter\"", "d436f2c98f0bb7fc"},
+      {"baseline", "", "e7de854255ac1e86"},
+      {"two-cells", "", "ccd24237484f6cdd"},
+      {"fibrillar", "", "3e3383b27c20ff1a"},
+      {"two-protrusions-fibres", "", "2254448763db9619"},
+      {"stiffness-gradient", "", "c2741f084aafbb9d"},
+      {"chemotaxis", "", "60f280ed0776db55"},
+      {"two-cells", "contact.cells.adhesion=\"20 Pa\"", "030951d69a0bcf00"},
+      {"second-closures", "", "d436f2c98f0bb7fc"}, // of version 0.2.0, whose baseline it is
+      {"second-closures", "nucleus.radius = \"5 um\"", "c1d8f5a21bda4811"},
+      {"second-closures", "protrusion.deflection_cone = \"37 deg\"", "3dfe7833d82c1979"},
+      {"second-closures", "adhesion.hold=\"matter\"", "d436f2c98f0bb7fc"},
   };
   for (const Named& one : named) {
     const std::string text = fmt::format("preset = \"{}\"\nreplicates = 1\n[set]\n{}\n", one.preset, one.set);
