@@ -109,11 +109,11 @@ std::string description(const Parameters& p, const Derived& d) {
   return text;
 }
 
-/// Each changed law, drawn beside that of the paper.
+/// Each changed law, drawn beside the default one.
 std::string laws_text(const Parameters& p) {
   std::string text;
   for (const Row* law : changed_laws(p)) {
-    text += fmt::format("\n{} = {}\n{}{}; * here, . in the paper\n", law->path, value_text(*law, p), law->description,
+    text += fmt::format("\n{} = {}\n{}{}; * here, . by default\n", law->path, value_text(*law, p), law->description,
                         law->unit == "1" ? "" : fmt::format(", in {}", law->unit));
     for (LawCurve& curve : law_curves(p, *law, 241)) {
       if (!curve.at.empty()) text += fmt::format("at {}:\n", curve.at);
@@ -122,7 +122,7 @@ std::string laws_text(const Parameters& p) {
                              .x_low = curve.over.low,
                              .x_high = curve.over.high,
                              .points = std::move(curve.changed),
-                             .comparison = std::move(curve.paper)});
+                             .comparison = std::move(curve.usual)});
     }
   }
   return text;

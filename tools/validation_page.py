@@ -99,13 +99,14 @@ def bottom_line(_page: str) -> str:
     rows = rows_of(KEPT / "claims.csv")
     predicted = [row for row in rows if row["kind"] == "predicted"]
     open_rows = [row["id"] for row in rows if row["verdict"] == "undecided"]
+    fail = count(predicted, "does not hold")
     lines = [f"**Of the {len(rows)} claims {count(rows, 'holds')} hold, {count(rows, 'in direction')} come out in direction, and "
              f"{count(rows, 'does not hold')} do not hold**"
              + (f"; {len(open_rows)} are still to be judged ({', '.join(open_rows)}), since their runs are not made yet." if open_rows else "."),
              f"Of the {len(predicted)} predicted rows {count(predicted, 'holds')} hold, {count(predicted, 'in direction')} are in direction, "
-             f"{count(predicted, 'does not hold')} do not hold"
+             f"{fail} {'does' if fail == 1 else 'do'} not hold"
              + (f", and {count(predicted, 'undecided')} are to be judged." if open_rows else "."),
-             f"Against the paper's direction, by a whole interval of 95 %: {', '.join(row['id'] for row in rows if row['against']) or 'none'}."]
+             f"Significantly against the paper's direction: {', '.join(row['id'] for row in rows if row['against']) or 'none'}."]
     return "\n".join(lines)
 
 
@@ -118,8 +119,14 @@ def shortened(text: str, parts: int = 2) -> str:
 
 def plain(text: str) -> str:
     """Points without the name of their study, where the claim leaves no doubt of it."""
+    text = text.replace("kept-protrusions-fibres: ", "fibres, ")
+    if "fibres, " in text:
+        text = text.replace("kept-protrusions: ", "no fibres, ")
+    if "sensitive-adhesions: " in text:
+        for study, words in (("insensitive-adhesions: ", "one rate, "), ("sensitive-adhesions: ", "zeta_diss 80 /nN, "), ("stiffness: ", "zeta_diss 20 /nN, ")):
+            text = text.replace(study, words)
     text = re.sub(r"\b(stiffness|contraction|kept-protrusions|(initiation|disassembly)-rate|growth-time|durotaxis|microtracks|contact-guidance|channel-width"
-                  r"|two-cells): ", "", text.replace("kept-protrusions-fibres: ", "fibres, "))
+                  r"|two-cells): ", "", text)
     return text.replace("|", "\\|")
 
 

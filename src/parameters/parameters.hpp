@@ -203,7 +203,7 @@ struct CueParameters {
   double uptake = 0.0;         ///< of the attractant inside cells [1/s]
 };
 
-/// Laws as formulas, at first those of the paper; parameters/laws/law.hpp says what they may contain.
+/// Laws as formulas; parameters/laws/law.hpp says what they may contain.
 struct LawParameters {
   std::string fibre_stiffness = "eps < 0 ? 0 : eps <= eps_s ? 1 : exp((eps - eps_s)/d_s)"; ///< over k_0, Eq. 5 [-]
   std::string curvature_factor = "exp(-((kappa - kappa_0)/kappa_w)^2)";                    ///< f_curv of Eq. 6 [-]

@@ -107,7 +107,7 @@ store::FieldOrigin field_origin(Parameters p, std::string trajectory_hash);
 /// Heading of the run's report: "cell: E = 200 Pa, seed 1".
 std::string run_title(const Parameters& p, const std::string& scenario);
 
-/// The texts of the laws that are not those of the paper, by their keys.
+/// The texts of the laws that are not the default ones, by their keys.
 nlohmann::ordered_json laws_json(const Parameters& p);
 
 /// What was run, when and how: scenario, stiffness, seed, changed laws, the commands that started it and its branches,

@@ -40,7 +40,7 @@ TEST_F(LawsOfScenarios, StandInTheRecordAndTheReportAndTheIdentity) {
   EXPECT_EQ(curve.at("at"), "A = 1");
   EXPECT_EQ(curve.at("changed").at(0), 1.0) << curve;
   EXPECT_EQ(curve.at("changed").back(), 0.0) << curve;
-  EXPECT_EQ(curve.at("paper").at(0), curve.at("paper").back()) << "Eq. 10 does not depend on the length";
+  EXPECT_EQ(curve.at("usual").at(0), curve.at("usual").back()) << "Eq. 10 does not depend on the length";
   ASSERT_EQ(run("run stalled/scenario.resolved.toml -o again --quiet").code, 0);
   EXPECT_EQ(record("again").at("trajectory_hash"), record("stalled").at("trajectory_hash"));
   ASSERT_EQ(run("resume stalled --at '60 s' --hours 0.025 --seed 1 -o branch --quiet").code, 0);
@@ -48,7 +48,7 @@ TEST_F(LawsOfScenarios, StandInTheRecordAndTheReportAndTheIdentity) {
 }
 
 TEST_F(LawsOfScenarios, AreDrawnBesideThoseOfThePaper) {
-  EXPECT_FALSE(contains(run("explain cell.toml").out, "in the paper"));
+  EXPECT_FALSE(contains(run("explain cell.toml").out, "by default"));
   const Ended ended = run("explain cell.toml --set 'laws.polarization_rate=r_pol*min(1, 0.5/angle)'");
   EXPECT_EQ(ended.code, 0) << ended.err;
   EXPECT_TRUE(contains(ended.out, "laws.polarization_rate = \"r_pol*min(1, 0.5/angle)\"\n")) << ended.out;

@@ -190,7 +190,7 @@ export interface ChangedLaw {
   /** "" of a ratio. */
   unit: string;
   /** Over each argument that it depends on, where others are as `at` says: "f_mat = 0.5"; "" if none matters. null where a law has no value. */
-  curves: { over: string; unit: string; at: string; x: number[]; changed: (number | null)[]; paper: (number | null)[] }[];
+  curves: { over: string; unit: string; at: string; x: number[]; changed: (number | null)[]; usual: (number | null)[] }[];
 }
 
 export interface RunPage {

@@ -251,11 +251,11 @@ for (const [what, given, words] of [
   });
 
 test("changed laws are drawn beside those of the paper", async () => {
-  const curve = { over: "F", unit: "nN", at: "f_mat = 0.5", x: [0, 0.5, 1], changed: [0.002, null, 0.001], paper: [0.001, 0.001, 0.001] };
+  const curve = { over: "F", unit: "nN", at: "f_mat = 0.5", x: [0, 0.5, 1], changed: [0.002, null, 0.001], usual: [0.001, 0.001, 0.001] };
   const law = { name: "laws.disassembly_rate", text: "r_c*exp(-F^2)", unit: "1/s", curves: [curve] };
   const { page, errors } = await open(browser, "run", json({ ...small, laws: [law] }));
   const figure = page.locator("#laws figure");
-  assert.equal(await figure.locator("figcaption").textContent(), "Over F, at f_mat = 0.5. The dashed curve is the law of the paper.");
+  assert.equal(await figure.locator("figcaption").textContent(), "Over F, at f_mat = 0.5. The dashed curve is the default law.");
   assert.equal(await page.locator("#laws h3").textContent(), "Disassembly rate: r_c*exp(-F^2)");
   assert.ok(await figure.getByText("disassembly rate (10\u207b\u00b3/s)").isVisible());
   assert.ok(await figure.getByText("F (nN)").isVisible());

@@ -319,10 +319,10 @@ std::string preset_list() {
   });
 }
 
-/// The laws as the paper has them, with what their formulas may name.
+/// The default laws, with what their formulas may name.
 std::string law_list() {
   return answer([] {
-    const Parameters paper;
+    const Parameters usual;
     Json all = Json::array();
     for (const Row& law : law_rows()) {
       if (kind(law) != Kind::law) continue;
@@ -331,7 +331,7 @@ std::string law_list() {
       all.push_back({{"path", law.path},
                      {"unit", law.unit == "1" ? "" : law.unit},
                      {"meaning", law.description},
-                     {"formula", text_of(law, paper)},
+                     {"formula", text_of(law, usual)},
                      {"arguments", names}});
     }
     return all;

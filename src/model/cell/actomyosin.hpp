@@ -20,13 +20,13 @@ double curvature_factor(double kappa, const ActomyosinParameters& p, const Law& 
 /// Tension of the segment of particles i and j, Eq. (6): min(f_mat,i, f_mat,j) f_curv F_am [nN].
 /// @param kappa  mean curvature of its ends [1/um]
 double F_am(double f_mat_i, double f_mat_j, double kappa, const ActomyosinParameters& p,
-            const Law& curvature = paper_laws().curvature_factor);
+            const Law& curvature = usual_laws().curvature_factor);
 
 /// Adds the tension of every segment.
 /// @param f_mat  of each particle along the cortex [-]; 0 in a growing or maturing protrusion
 /// @param first  node of particle 0   @param force  of all nodes [nN]
 void add_actomyosin(const CortexState& c, const ActomyosinParameters& p, std::span<const double> f_mat, double dt,
                     std::uint32_t first, std::span<Vec2> force, DragSystem& A,
-                    const Law& curvature_law = paper_laws().curvature_factor);
+                    const Law& curvature_law = usual_laws().curvature_factor);
 
 } // namespace matrigrate

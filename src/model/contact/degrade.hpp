@@ -22,7 +22,7 @@ double degradation_pressure(double distance, double solid_pressure, const Parame
 /// @param solid_pressure [kPa]   @param stiffness  of the particle, E_k/E, which scales the contact pressure [-]
 /// @param f  intact fraction of the particle, for laws that a user has changed [-]
 double degradation_rate(double distance, bool on_protrusion, double solid_pressure, const Parameters& p,
-                        double stiffness = 1.0, double f = 1.0, const Laws& laws = paper_laws());
+                        double stiffness = 1.0, double f = 1.0, const Laws& laws = usual_laws());
 
 /// Parts of the cortex that degrade at rates of their own.
 struct DegradingParts {
@@ -35,7 +35,7 @@ struct DegradingParts {
 /// front if its first particle is); the faster one counts. Particles that reach f = 0 become fluid.
 /// @param tips  positions of the pushing particles of all growing protrusions in the middle of the step [um]
 void degrade(EcmState& ecm, const Parameters& p, std::span<const NearbyParticle> nearby, const DegradingParts& parts,
-             std::span<const Vec2> tips, double dt, const Laws& laws = paper_laws());
+             std::span<const Vec2> tips, double dt, const Laws& laws = usual_laws());
 
 /// Fluidizes solid particles deeper inside the cell than contact.deepest_solid.   @return how many
 std::size_t fluidize_engulfed(EcmState& ecm, const Parameters& p, std::span<const NearbyParticle> nearby);

@@ -23,6 +23,6 @@ std::vector<double> along_cortex(const Law& law, const Cell& cell, const EcmStat
 /// all front begins as many protrusions as without. Empty if the bias is that of the paper [-].
 /// @param bias  laws.initiation_bias
 std::vector<double> propensity(const Cell& cell, const EcmState& ecm, const Parameters& p,
-                               const Law& bias = paper_laws().initiation_bias);
+                               const Law& bias = usual_laws().initiation_bias);
 
 } // namespace matrigrate

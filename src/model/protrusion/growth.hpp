@@ -37,7 +37,7 @@ double growth_factor(const Cell& cell, const Protrusion& protrusion, double area
 /// @param force    of all nodes [nN]
 /// @param t        now [s]
 void add_growth(const Cell& cell, const ProtrusionParameters& p, double area, std::span<const Vec2> normals,
-                std::uint32_t first, std::span<Vec2> force, double t = 0.0, const Law& law = paper_laws().growth_force);
+                std::uint32_t first, std::span<Vec2> force, double t = 0.0, const Law& law = usual_laws().growth_force);
 
 /// Lets the particles on either flank of growing protrusions slide along the contour towards equal spacing for dt, so
 /// that the stretch does not gather at the tip. The centre stays at the tip, the first and last particle at the base.

@@ -41,7 +41,7 @@ struct Transition {
 ///   Contracting  load above that of the handover     -> Contracting, with a weaker bundle
 ///   Finishing    age >= T_finish                     -> free
 Transition transition(const Phase& phase, const Circumstances& now, const Parameters& p, double dt,
-                      const Laws& laws = paper_laws());
+                      const Laws& laws = usual_laws());
 
 /// Circumstances of a protrusion of a cell after a step of dt, with its draw.   @param now  the end of the step
 Circumstances circumstances(const Cell& cell, const Protrusion& protrusion, const EcmState& ecm, const Instant& now,
@@ -50,6 +50,6 @@ Circumstances circumstances(const Cell& cell, const Protrusion& protrusion, cons
 /// Lets every protrusion of a cell make its transition; those that end move to cell.ended. Rest lengths become the
 /// lengths at the end of growth and of maturation.   @param now  the end of the step of dt
 void update_protrusions(Cell& cell, const EcmState& ecm, const Instant& now, const Parameters& p, double dt,
-                        const Laws& laws = paper_laws());
+                        const Laws& laws = usual_laws());
 
 } // namespace matrigrate

@@ -17,10 +17,10 @@ std::optional<double> adhesion_direction(const Cell& cell, const Vec2& centre);
 /// The angle after dt of turning towards `target`, the shorter way: at r_pol times the angle between them [rad]. A law
 /// that a user has changed gives the rate for the angle as it is.
 double turned(double angle, double target, double dt, const PolarizationParameters& p,
-              const Law& law = paper_laws().polarization_rate);
+              const Law& law = usual_laws().polarization_rate);
 
 /// Turns d_pol for dt.
 void polarize(Cell& cell, const PolarizationParameters& p, const Vec2& centre, double dt,
-              const Law& law = paper_laws().polarization_rate);
+              const Law& law = usual_laws().polarization_rate);
 
 } // namespace matrigrate

@@ -34,13 +34,13 @@ std::vector<fields::NamedNumber> law_names(const Parameters& p);
 /// A law of one set of parameters.
 class Law {
 public:
-  Law() = default; ///< that of the paper
+  Law() = default; ///< the default one
 
   /// @param path  "laws.curvature_factor"
   /// @throws std::invalid_argument saying what is wrong with the text of the law, and where
   Law(std::string_view path, const Parameters& p);
 
-  /// Whether it is another text than that of the paper, whose laws are functions of the model.
+  /// Whether it is another text than the default, whose function is compiled.
   bool changed() const { return m_formula.has_value(); }
 
   /// Whether a changed law depends on the variable.
@@ -69,11 +69,11 @@ struct LawCurve {
   LawVariable over;
   std::string at; ///< those of the others that matter: "f_mat = 0.5, t = 0 s"; empty where none does
   std::vector<double> x;
-  std::vector<double> paper;   ///< of the paper's law, with the parameters as they are
+  std::vector<double> usual;   ///< of the default law, with the parameters as they are
   std::vector<double> changed; ///< not finite where it is so
 };
 
-/// Over each variable that the law depends on; of one that depends on none, over the first of the paper's law.
+/// Over each variable that the law depends on; of one that depends on none, over the first of the default law.
 /// @param points  >= 2
 std::vector<LawCurve> law_curves(const Parameters& p, const Row& law, std::size_t points);
 

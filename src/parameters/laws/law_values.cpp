@@ -217,28 +217,28 @@ std::string fault_of_law_values(const Parameters& p, const Row& law) {
 
 std::vector<LawCurve> law_curves(const Parameters& p, const Row& law, std::size_t points) {
   const fields::Expression changed = law_formula(law, p, text_of(law, p));
-  const fields::Expression paper = law_formula(law, p, usual_text(law));
+  const fields::Expression usual = law_formula(law, p, usual_text(law));
   const auto variables = law_variables(law);
   std::vector<std::size_t> drawn_over;
-  for (const fields::Expression* formula : {&changed, &paper})
+  for (const fields::Expression* formula : {&changed, &usual})
     for (std::size_t k = 0; k < variables.size() && (formula == &changed || drawn_over.empty()); ++k)
       if (formula->uses(k)) drawn_over.push_back(k);
   if (drawn_over.empty()) drawn_over.push_back(0);
   std::vector<LawCurve> curves;
   for (const std::size_t over : drawn_over) {
-    LawCurve curve{.over = as_drawn(variables[over]), .at = {}, .x = {}, .paper = {}, .changed = {}};
+    LawCurve curve{.over = as_drawn(variables[over]), .at = {}, .x = {}, .usual = {}, .changed = {}};
     std::vector<double> arguments;
     std::vector<bool> held;
     for (std::size_t k = 0; k < variables.size(); ++k) {
       arguments.push_back(variables[k].usual);
-      held.push_back(k != over && (changed.uses(k) || paper.uses(k)));
+      held.push_back(k != over && (changed.uses(k) || usual.uses(k)));
     }
     if (std::ranges::find(held, true) != held.end()) curve.at = law_arguments(law, arguments, held);
     for (std::size_t k = 0; k < points; ++k) {
       const double share = static_cast<double>(k) / static_cast<double>(points - 1);
       arguments[over] = curve.over.low + (curve.over.high - curve.over.low) * share;
       curve.x.push_back(arguments[over]);
-      curve.paper.push_back(paper.at(arguments));
+      curve.usual.push_back(usual.at(arguments));
       curve.changed.push_back(changed.at(arguments));
     }
     curves.push_back(std::move(curve));

@@ -9,7 +9,7 @@ Laws::Laws(const Parameters& p)
       degradation_tip("laws.degradation_tip", p), degradation_protrusion("laws.degradation_protrusion", p),
       degradation_body("laws.degradation_body", p) {}
 
-const Laws& paper_laws() {
+const Laws& usual_laws() {
   static const Laws laws;
   return laws;
 }

@@ -8,7 +8,7 @@ namespace matrigrate {
 /// from Parameters, one set for each Workspace, since a formula is evaluated by one thread at a time. Test:
 /// tests/unit/parameters/law_test.cpp, tests/physics/laws_test.cpp
 struct Laws {
-  Laws() = default; ///< those of the paper
+  Laws() = default; ///< the default ones
 
   /// @throws std::invalid_argument saying what cannot be read; rules() say it with its place
   explicit Laws(const Parameters& p);
@@ -24,7 +24,7 @@ struct Laws {
   Law degradation_body;
 };
 
-/// Those of the paper; any thread may use them.
-const Laws& paper_laws();
+/// The default ones; any thread may use them.
+const Laws& usual_laws();
 
 } // namespace matrigrate

@@ -22,7 +22,7 @@ constexpr std::array rows_of_laws{
         "", paper, "Eq. 5: stiffness of a fibre over k_0, at a strain eps", rarely,
         "eps < 0 ? 0 : eps <= eps_s ? 1 : exp((eps - eps_s)/d_s)"},
     Row{"laws.curvature_factor", [](Parameters& p) -> std::string& { return p.laws.curvature_factor; }, "1", share,
-        "", paper, "Eq. 6: factor of the actomyosin tension where the cortex has the curvature kappa [1/um], convex positive", rarely,
+        "", "MODEL.md, I14", "Eq. 6: factor of the actomyosin tension where the cortex has the curvature kappa [1/um], convex positive", rarely,
         "exp(-0.5*((kappa - kappa_0)/kappa_w)^2)"},
     Row{"laws.disassembly_rate", [](Parameters& p) -> std::string& { return p.laws.disassembly_rate; }, "1/s", rate,
         "", paper, "Eq. 7: rate at which an adhesion of force F [nN] and maturation f_mat disassembles, t [s] after contraction began", rarely,

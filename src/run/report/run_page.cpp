@@ -145,7 +145,7 @@ Json changed_parameters(const Parameters& p) {
 
 std::string_view shown_unit(std::string_view unit) { return unit == "1" ? "" : unit; }
 
-/// Changed laws beside those of the paper, over each argument that they depend on.
+/// Changed laws beside the default ones, over each argument that they depend on.
 Json laws_json(const Parameters& p) {
   Json list = Json::array();
   for (const Row* law : changed_laws(p)) {
@@ -156,7 +156,7 @@ Json laws_json(const Parameters& p) {
                         {"at", curve.at},
                         {"x", curve.x},
                         {"changed", curve.changed},
-                        {"paper", curve.paper}});
+                        {"usual", curve.usual}});
     list.push_back({{"name", law->path},
                     {"text", bare(value_text(*law, p))},
                     {"unit", shown_unit(law->unit)},

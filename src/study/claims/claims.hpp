@@ -41,7 +41,7 @@ JudgedClaim judged_claim(const Claim& claim, const Evidence& evidence);
 /// Why a claim does not hold, in a line; empty if it does.
 std::string why_not(const Finding& finding);
 
-/// "18 of 30 hold: 7 of 16 calibration, 5 of 10 predicted, 3 of 4 verification; 5 more in direction; 2 undecided"
+/// "19 of 30 hold: 10 of 19 calibration, 5 of 7 predicted, 4 of 4 verification; 5 more in direction"
 std::string bottom_line(const std::vector<JudgedClaim>& claims);
 
 /// claims.csv: the table that people read, a line per claim.

@@ -87,7 +87,7 @@ TEST(Law, OfThePaperIsNoFormula) {
   const Parameters p;
   EXPECT_FALSE(Law("laws.curvature_factor", p).changed());
   EXPECT_FALSE(Law().changed());
-  EXPECT_FALSE(paper_laws().disassembly_rate.changed());
+  EXPECT_FALSE(usual_laws().disassembly_rate.changed());
   EXPECT_FALSE(Laws(p).growth_force.changed());
   EXPECT_TRUE(changed_laws(p).empty());
 }
@@ -148,7 +148,7 @@ TEST(LawCurves, AreThoseOfEachVariableThatMatters) {
             "F = 0.3 nN, f_mat = 0.5")
       << "on which the paper's depends";
   EXPECT_DOUBLE_EQ(bias.changed.back(), std::exp(2.0));
-  EXPECT_DOUBLE_EQ(bias.paper.back(), 1.0);
+  EXPECT_DOUBLE_EQ(bias.usual.back(), 1.0);
 }
 
 /// A formula that is refused, and what is said of it.

@@ -91,7 +91,7 @@ export interface Preset {
   overrides: string[];
 }
 
-/** A law of the model as the paper has it. */
+/** A law of the model as it is by default. */
 export interface Law {
   path: string;
   unit: string;

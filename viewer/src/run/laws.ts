@@ -1,4 +1,4 @@
-/** Laws that differ from the paper's: both as curves over each argument. */
+/** Laws that differ from the default ones: both as curves over each argument. */
 import type { ChangedLaw } from "../contract";
 import { h, s } from "../dom";
 import { pretty, ticks } from "../numbers";
@@ -11,7 +11,7 @@ const raised = (exponent: number): string =>
   [...String(exponent)].map((sign) => (sign === "-" ? "\u207b" : "\u2070\u00b9\u00b2\u00b3\u2074\u2075\u2076\u2077\u2078\u2079"[Number(sign)])).join("");
 
 function curve(words: string, law: ChangedLaw, of: ChangedLaw["curves"][number], width: number): SVGSVGElement {
-  const values = [...of.changed, ...of.paper].filter((v) => v !== null);
+  const values = [...of.changed, ...of.usual].filter((v) => v !== null);
   const high = 1.06 * (values.reduce((a, b) => Math.max(a, b), 0) || 1);
   const exponent = high < 0.1 || high > 5000 ? Math.floor(Math.log10(high)) : 0; // short numbers at the ticks
   const shown = (all: (number | null)[]) => all.map((v) => v && v / 10 ** exponent);
@@ -25,7 +25,7 @@ function curve(words: string, law: ChangedLaw, of: ChangedLaw["curves"][number],
     `${capital(words)} over ${of.over}`,
   );
   made.svg.append(
-    s("path", { class: "curve of-paper", d: line(made, of.x, shown(of.paper)) }, s("title", {}, "in the paper")),
+    s("path", { class: "curve of-default", d: line(made, of.x, shown(of.usual)) }, s("title", {}, "by default")),
     s("path", { class: "curve", d: line(made, of.x, shown(of.changed)) }, s("title", {}, "here")),
   );
   return made.svg;
@@ -39,7 +39,7 @@ export function laws(all: ChangedLaw[], width: number): HTMLElement {
     return [
       h("h3", {}, `${capital(words)}: `, h("code", {}, law.text)),
       h("div", { class: "plots", style: `grid-template-columns:repeat(${columns},minmax(0,1fr))` }, ...law.curves.map((of) =>
-        figure(curve(words, law, of, column), `Over ${of.over}${of.at ? `, at ${pretty(of.at)}` : ""}. The dashed curve is the law of the paper.`))),
+        figure(curve(words, law, of, column), `Over ${of.over}${of.at ? `, at ${pretty(of.at)}` : ""}. The dashed curve is the default law.`))),
     ];
   }));
 }

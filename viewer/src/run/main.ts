@@ -47,7 +47,7 @@ function show(run: RunPage, page: HTMLElement): void {
       factList(run.facts),
     ),
     ...parts,
-    ...(run.laws?.length ? [section("laws", "Laws that differ from the paper", fitted((width) => laws(run.laws ?? [], width), new AbortController().signal))] : []),
+    ...(run.laws?.length ? [section("laws", "Laws that differ from the default ones", fitted((width) => laws(run.laws ?? [], width), new AbortController().signal))] : []),
     h(
       "div",
       { class: "two" },
