@@ -99,11 +99,11 @@ def bottom_line(_page: str) -> str:
     rows = rows_of(KEPT / "claims.csv")
     predicted = [row for row in rows if row["kind"] == "predicted"]
     open_rows = [row["id"] for row in rows if row["verdict"] == "undecided"]
-    fail = count(predicted, "does not hold")
+    near, fail = count(predicted, "in direction"), count(predicted, "does not hold")
     lines = [f"**Of the {len(rows)} claims {count(rows, 'holds')} hold, {count(rows, 'in direction')} come out in direction, and "
              f"{count(rows, 'does not hold')} do not hold**"
              + (f"; {len(open_rows)} are still to be judged ({', '.join(open_rows)}), since their runs are not made yet." if open_rows else "."),
-             f"Of the {len(predicted)} predicted rows {count(predicted, 'holds')} hold, {count(predicted, 'in direction')} are in direction, "
+             f"Of the {len(predicted)} predicted rows {count(predicted, 'holds')} hold, {near} {'is' if near == 1 else 'are'} in direction, "
              f"{fail} {'does' if fail == 1 else 'do'} not hold"
              + (f", and {count(predicted, 'undecided')} are to be judged." if open_rows else "."),
              f"Significantly against the paper's direction: {', '.join(row['id'] for row in rows if row['against']) or 'none'}."]
