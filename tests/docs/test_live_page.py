@@ -1,7 +1,9 @@
 """The live page that a clone has: whole, of no release before the last one, one file that asks no network: test_live_page.py"""
+import base64
 import pathlib
 import re
 import unittest
+import zlib
 
 source = pathlib.Path(__file__).resolve().parents[2]
 page = source / "live" / "index.html"
@@ -28,8 +30,11 @@ class LivePage(unittest.TestCase):
         policy = re.search(r'http-equiv="Content-Security-Policy" content="([^"]*)"', text)[1]
         self.assertIn("default-src 'none'", policy)
         self.assertEqual(re.findall(r'<(?:script|link|img|iframe)[^>]+(?:src|href)="(?!data:)[^"]+', text), [])
+        version, terms = re.search(r'<script type="text/plain" id="matrigrate-notices">(.*?)</script>', text, re.DOTALL)[1].split("\n")
+        self.assertRegex(version, r"^Matrigrate [\d.]+, commit [0-9a-f]{40}$")
+        notices = zlib.decompress(base64.b64decode(terms)).decode()
         for name in ("emscripten", "libeigen3-dev", "librandom123-dev"):
-            self.assertIn(f"==== {name} ====", text)
+            self.assertIn(f"==== {name} ====", notices)
 
     def test_answers_the_lesson(self):
         for words in ("from the start", "A lesson: five questions"):
