@@ -26,7 +26,7 @@ set(CPACK_PACKAGE_CONTACT "The Matrigrate authors") # becomes Maintainer; there 
 set(CPACK_PACKAGE_FILE_NAME matrigrate_${PROJECT_VERSION})
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_STRIP_FILES ON)
-set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT) # matrigrate_0.2.0_amd64.deb
+set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT) # matrigrate_0.3.0_amd64.deb
 set(CPACK_DEBIAN_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON) # the shared libraries that the program needs, by dpkg-shlibdeps
 set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "python3, python3-pandas, python3-h5py, python3-matplotlib, python3-xxhash")
