@@ -99,8 +99,7 @@ Result time_step(const Parameters& p) {
   result.remarks.push_back(fmt::format(
       "Errors are distances of the tip from that with steps of {} s along the direction of growth, the largest at "
       "{:.0f}, {:.0f}, {:.0f} and {:.0f} s. Across it, and later along it, the deflection of growth makes much of "
-      "small "
-      "differences.",
+      "small differences.",
       steps.front(), times[0], times[1], times[2], times[3]));
   result.add("time-step", "Distance of the tip from where the shortest steps bring it.",
              {.title = "A protrusion with longer steps",
