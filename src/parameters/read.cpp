@@ -105,6 +105,7 @@ public:
   Parameters finish(std::span<const Rule> more) {
     if (!m_refused) {
       follow_earlier_version();
+      follow_curvature_profile();
       follow_integrator();
       check_cells();
       check_rules(rules());
@@ -127,6 +128,14 @@ private:
       if (row.before && !m_given.contains(row.path))
         take(std::string(row.path), *toml::parse("value = " + before_text(row, m_parameters)).get("value"),
              {m_faults.file()});
+  }
+
+  /// A file with the one profile that is still read means its law, not today's default.
+  void follow_curvature_profile() {
+    const Row& law = *find_row("laws.curvature_factor");
+    if (m_given.contains("actomyosin.curvature_profile") && !m_given.contains(law.path))
+      take(std::string(law.path), *toml::parse("value = " + before_text(law, m_parameters)).get("value"),
+           {m_faults.file()});
   }
 
   /// A usual step that nobody has named becomes that of the integrator.
