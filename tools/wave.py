@@ -28,7 +28,7 @@ from matrigrate._study_file import write_points  # noqa: E402
 from matrigrate.calibrate import match, read_outcomes  # noqa: E402
 
 KEPT = Path(__file__).parents[1] / "docs" / "validation"
-TABLES = ("outcomes.csv", "rows.csv", "exclusions.csv", "ranges.csv")
+TABLES = ("outcomes.csv", "reach.csv", "rows.csv", "exclusions.csv", "ranges.csv")
 FIRST = """
 [[conditions]]
 label = "first, {force}"
@@ -230,7 +230,8 @@ def main():
         first_protrusions(options.wave, options.program.resolve(), options.folder, options.jobs)
     waves = [kept(wave) for wave in range(1, options.wave + 1)]
     found = match(waves, read_outcomes(KEPT / "outcomes.toml"), prior=prior_of(waves[0]), allowed=options.allowed)
-    print(found, found.best.to_string(float_format="%.3g"), found.exclusions.head(15).to_string(float_format="%.3g"), sep="\n\n")
+    print(found, found.best.to_string(float_format="%.3g"), found.exclusions.head(15).to_string(float_format="%.3g"),
+          found.reach.to_string(float_format="%.3g"), sep="\n\n")
     page = found.write(options.folder / f"match-{options.wave}", overwrite=True)
     tables = KEPT / f"wave-{options.wave}"
     tables.mkdir(exist_ok=True)

@@ -127,6 +127,19 @@ class Match:
         table = _pandas().DataFrame(found, columns=["a", "b", "least", "both", "alone_a", "alone_b"])
         return table.sort_values("least", ascending=False, ignore_index=True, kind="stable")
 
+    @cached_property
+    def reach(self) -> pandas.DataFrame:
+        """A row for each outcome that an emulator tells: what meeting it would take, by the mean of its emulator within the prior.
+
+        ``nearest`` mean to what was measured; ``met``, the share of the prior where the mean is within ``error`` of it; ``others``, how
+        likely the other rows are there on average over how likely they are in the whole prior (a row is as likely as exp(-I^2/2), I being
+        its implausibility); and ``against``, the row whose mean square of I is raised most there. Outcomes that are met nowhere come
+        first, then those whose being met makes the others least likely.
+        """
+        told = [one for one in self._judge.outcomes if self.emulators[one.label].explained >= _least_explained]
+        table = _pandas().DataFrame([self._judge.reach(one) for one in told], columns=["outcome", "row", "nearest", "met", "others", "against"])
+        return table.set_index("outcome").sort_values("others", na_position="first", kind="stable")
+
     def _least(self, rows: list[int], floor: float = 0.0) -> float:
         """Least of the largest implausibility of rows, refined only where it decides."""
         known = self._judge.known[:, rows].max(axis=1)
@@ -136,8 +149,8 @@ class Match:
         return _space.least(lambda cube: self._judge.rows(cube, rows).max(axis=1), self._judge.cube, known, self._seed)[1]
 
     def write(self, folder: str | os.PathLike[str], *, overwrite: bool = False) -> Path:
-        """Writes outcomes.csv, rows.csv, exclusions.csv, ranges.csv (of all waves), plausible.csv (the sample of the last wave) and report.html,
-        which needs no other file, into a new folder.
+        """Writes outcomes.csv, reach.csv, rows.csv, exclusions.csv, ranges.csv (of all waves), plausible.csv (the sample of the last wave) and
+        report.html, which needs no other file, into a new folder.
 
         :param overwrite: whether to replace these files in a folder that is there already
         :return: report.html
@@ -148,6 +161,7 @@ class Match:
         text = page(self)
         make_folder(path, overwrite)
         self.outcomes.to_csv(path / "outcomes.csv", index_label="outcome")
+        self.reach.to_csv(path / "reach.csv", float_format="%.4g")
         self.rows.to_csv(path / "rows.csv", index_label="row")
         self.exclusions.to_csv(path / "exclusions.csv", index=False)
         ranges = [wave.ranges.assign(wave=k, share=wave.share) for k, wave in enumerate(self.waves, 1)]
@@ -200,6 +214,22 @@ class _Judge:
         seeds = emulator.scatter(cube)**2 / outcome.runs if outcome.runs else 0.0
         off = np.maximum(0.0, np.maximum(low - mean, mean - high))
         return np.asarray(off / np.sqrt(error**2 + seeds + outcome.variance(self.how.discrepancy)))
+
+    def reach(self, outcome: Outcome) -> tuple[str, str, float, float, float, str]:
+        """As in ``Match.reach``."""
+        low, high = outcome.ends
+        mean, _ = self.emulators[outcome.label](self.cube)
+        off = np.maximum(0.0, np.maximum(low - mean, mean - high))
+        met = off <= outcome.variance(self.how.discrepancy)**0.5
+        names = [name for name in self.names if name != outcome.of]
+        squares = self.known[:, [self.names.index(name) for name in names]]**2
+        others, against = float("nan"), ""
+        if met.any() and names:
+            likely = np.exp(-0.5 * squares.sum(axis=1))
+            others = likely[met].mean() / likely.mean()
+            raised = squares[met].mean(axis=0) - squares.mean(axis=0)
+            against = names[int(raised.argmax())] if raised.max() > 0.01 else ""
+        return outcome.label, outcome.of, float(mean[off.argmin()]), float(met.mean()), others, against
 
     def rows(self, cube: Array, which: Sequence[int] | None = None) -> Array:
         """A column a row: the worst of its outcomes, or the root of their mean square."""

@@ -36,6 +36,10 @@ the mean square. ranges.csv has the ends of what is plausible.</small></p>
 prior. <i>point</i>: at the best point.</small></p>
 <h2>Rows that exclude each other</h2>
 {_exclusions(match)}
+<h2>What meeting an outcome would take</h2>
+{table(match.reach)}
+<p><small>By the means of emulators, within the prior. <i>nearest</i>: the mean that is nearest to what was measured. <i>met</i>: share of the prior where it is
+within the error. <i>others</i>: how likely the other rows are there, over the whole prior. <i>against</i>: the row that is worst off there.</small></p>
 <h2>Outcomes that were fitted</h2>
 {_outcome_part(match, fitted)}
 <h2>Outcomes that were held back</h2>

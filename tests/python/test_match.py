@@ -162,7 +162,7 @@ class OfAKnownModel(unittest.TestCase):
             text = page.read_text()
             self.assertEqual(text.count("<svg"), 5)
             self.assertNotIn("http", text)
-            for name in ("outcomes", "rows", "exclusions", "ranges", "plausible"):
+            for name in ("outcomes", "reach", "rows", "exclusions", "ranges", "plausible"):
                 self.assertGreater(len(pandas.read_csv(page.parent / f"{name}.csv")), 1)
             with self.assertRaisesRegex(matrigrate.InputOutputError, "exists already; give a new folder, or overwrite=True"):
                 self.match.write(page.parent)
@@ -203,6 +203,21 @@ class Rows(unittest.TestCase):
             match.next_points(3)
         allowed = self.matched([slow, fast, other], allowed=1)
         self.assertGreater(allowed.waves[-1].share, 0.0)
+
+    def test_what_meeting_an_outcome_would_take(self):
+        low = Outcome("speed", 0.3 * 8, error=0.4, at="soft", minus="stiff", row="a is low")
+        high = Outcome("speed", 0.9 * 8, error=0.4, at="soft", minus="stiff", row="a is high", name="high")
+        far = Outcome("length", 30, error=0.5, at="stiff", name="far", held_back=True)  # at most 20
+        free = Outcome("length", 17, error=0.6, at="stiff", row="b", name="free")
+        reach = self.matched([low, high, far]).reach
+        self.assertEqual(list(reach.index)[0], "far", "met nowhere")
+        self.assertEqual(reach["met"]["far"], 0)
+        self.assertAlmostEqual(reach["nearest"]["far"], 20, delta=0.6)
+        self.assertEqual(reach["against"]["far"], "")
+        self.assertAlmostEqual(reach["met"]["high"], 0.1, delta=0.03)  # |8 a - 7.2| < 0.4
+        self.assertEqual(reach["against"]["high"], "a is low")
+        self.assertLess(reach["others"]["high"], 0.05)
+        self.assertAlmostEqual(self.matched([low, free]).reach["others"]["free"], 1, delta=0.15, msg="each has a parameter of its own")
 
     def test_a_row_is_its_worst_outcome_or_the_mean_square(self):
         pair = [Outcome("speed", 3.2, error=0.1, at="soft", minus="stiff", row="A"), Outcome("length", (0, 100), error=1, at="soft", row="A")]
