@@ -129,12 +129,13 @@ class Match:
 
     @cached_property
     def reach(self) -> pandas.DataFrame:
-        """A row for each outcome that an emulator tells: what meeting it would take, by the mean of its emulator within the prior.
+        """A row for each outcome that an emulator tells, held back or not: what meeting it would take, by the means of emulators within the prior.
 
-        ``nearest`` mean to what was measured; ``met``, the share of the prior where the mean is within ``error`` of it; ``others``, how
-        likely the other rows are there on average over how likely they are in the whole prior (a row is as likely as exp(-I^2/2), I being
-        its implausibility); and ``against``, the row whose mean square of I is raised most there. Outcomes that are met nowhere come
-        first, then those whose being met makes the others least likely.
+        ``nearest`` mean to what was measured (any of them, if means lie within a measured range); ``met``, the share of the prior where the
+        mean is within ``error`` of it; ``others``, the mean there of exp(-I^2/2), I^2 being the sum of the squared implausibilities of all
+        other rows that are fitted, over the mean in the whole prior; NaN if the outcome is met nowhere or there is no other row;
+        ``against``, the other row whose mean square of I is raised most there, empty if none is by more than 0.01. NaN come first, then the
+        outcomes that cost the others most.
         """
         told = [one for one in self._judge.outcomes if self.emulators[one.label].explained >= _least_explained]
         table = _pandas().DataFrame([self._judge.reach(one) for one in told], columns=["outcome", "row", "nearest", "met", "others", "against"])
@@ -225,7 +226,8 @@ class _Judge:
         squares = self.known[:, [self.names.index(name) for name in names]]**2
         others, against = float("nan"), ""
         if met.any() and names:
-            likely = np.exp(-0.5 * squares.sum(axis=1))
+            total = squares.sum(axis=1)
+            likely = np.exp(-0.5 * (total - total.min()))
             others = likely[met].mean() / likely.mean()
             raised = squares[met].mean(axis=0) - squares.mean(axis=0)
             against = names[int(raised.argmax())] if raised.max() > 0.01 else ""

@@ -39,7 +39,8 @@ prior. <i>point</i>: at the best point.</small></p>
 <h2>What meeting an outcome would take</h2>
 {table(match.reach)}
 <p><small>By the means of emulators, within the prior. <i>nearest</i>: the mean that is nearest to what was measured. <i>met</i>: share of the prior where it is
-within the error. <i>others</i>: how likely the other rows are there, over the whole prior. <i>against</i>: the row that is worst off there.</small></p>
+within the error. <i>others</i>: mean likelihood of the other rows there, as a multiple of that in the whole prior. <i>against</i>: the row whose
+implausibility rises most there.</small></p>
 <h2>Outcomes that were fitted</h2>
 {_outcome_part(match, fitted)}
 <h2>Outcomes that were held back</h2>

@@ -207,17 +207,37 @@ class Rows(unittest.TestCase):
     def test_what_meeting_an_outcome_would_take(self):
         low = Outcome("speed", 0.3 * 8, error=0.4, at="soft", minus="stiff", row="a is low")
         high = Outcome("speed", 0.9 * 8, error=0.4, at="soft", minus="stiff", row="a is high", name="high")
-        far = Outcome("length", 30, error=0.5, at="stiff", name="far", held_back=True)  # at most 20
         free = Outcome("length", 17, error=0.6, at="stiff", row="b", name="free")
-        reach = self.matched([low, high, far]).reach
-        self.assertEqual(list(reach.index)[0], "far", "met nowhere")
+        off = Outcome("length", 24, error=1, at="stiff", row="b is off everywhere", name="off")  # it is 14 to 20
+        far = Outcome("length", 30, error=0.5, at="stiff", name="far", held_back=True)
+        seeds = Outcome("seeds", 3, error=1, at="soft", name="scatter")
+        reach = self.matched([free, off, low, high, far, seeds]).reach
+        self.assertEqual(set(reach.index), {"free", "off", low.label, "high", "far"}, "those that an emulator tells")
+        self.assertEqual(set(reach.index[:2]), {"far", "off"}, "met nowhere")
         self.assertEqual(reach["met"]["far"], 0)
         self.assertAlmostEqual(reach["nearest"]["far"], 20, delta=0.6)
         self.assertEqual(reach["against"]["far"], "")
         self.assertAlmostEqual(reach["met"]["high"], 0.1, delta=0.03)  # |8 a - 7.2| < 0.4
-        self.assertEqual(reach["against"]["high"], "a is low")
-        self.assertLess(reach["others"]["high"], 0.05)
-        self.assertAlmostEqual(self.matched([low, free]).reach["others"]["free"], 1, delta=0.15, msg="each has a parameter of its own")
+        self.assertEqual(reach["against"]["high"], "a is low", "though another row is further off, there as elsewhere")
+        self.assertEqual(reach["against"][low.label], "a is high")
+
+        def others(*fitted):
+            return self.matched(list(fitted)).reach["others"]
+
+        one = others(free, high)
+        self.assertAlmostEqual(one["free"], 1, delta=0.15, msg="each has a parameter of its own")
+        soft = Outcome("speed", 0.6 * 8, error=1.2, at="soft", minus="stiff", row="a is middling")
+        a = np.linspace(0, 1, 10001)
+        likely = np.exp(-0.5 * ((8 * a - 4.8) / 1.2)**2)
+        expected = likely[abs(8 * a - 7.2) < 0.4].mean() / likely.mean()
+        self.assertAlmostEqual(others(soft, high)["high"], expected, delta=0.15 * expected)
+        own = Outcome("speed", 0.5 * 8, error=0.4, at="soft", minus="stiff", row="a is high", name="too")
+        self.assertAlmostEqual(others(soft, high, own)["high"], others(soft, high)["high"], msg="outcomes of its own row do not count")
+        ranged = Outcome("speed", (4, math.inf), error=0.01, at="soft", minus="stiff", row="more than half", name="half")
+        found = self.matched([ranged, free]).reach
+        self.assertAlmostEqual(found["met"]["half"], 0.5, delta=0.03)
+        rough = Outcome("speed", 0.9 * 8, error=0.4, at="soft", minus="stiff", name="high", relative=0.1)
+        self.assertAlmostEqual(self.matched([rough, free]).reach["met"]["high"], 0.2, delta=0.04, msg="0.82 with the model's own error")
 
     def test_a_row_is_its_worst_outcome_or_the_mean_square(self):
         pair = [Outcome("speed", 3.2, error=0.1, at="soft", minus="stiff", row="A"), Outcome("length", (0, 100), error=1, at="soft", row="A")]
