@@ -22,15 +22,16 @@ cd "$(dirname "$0")/.."
 mkdir -p "$to"
 rounded() { perl -pe 's/(?<![\w.])-?\d+\.\d{5,}(?:e[-+]?\d+)?(?![\w.])/sprintf("%.6g", $&)/ge' "$1"; }
 tenths() { perl -pe 's/(?<=,)-?\d+\.\d{2}(?=,)/sprintf("%.1f", $&) =~ s{^-?0\.0$}{0}r =~ s{\.0$}{}r/ge' "$1"; }
-# ended: a run that has not ended is a missing one; why it stopped concerns the machine that it ran on
+# ended: a run that has not ended is a missing one; why it stopped concerns the machine that it ran on. Of a failed run the cause is kept, not the message
 ended() {
   python3 -c 'import csv, sys
 rows = csv.reader(sys.stdin)
 head = next(rows)
 out = csv.writer(sys.stdout, lineterminator="\n")
 out.writerow(head)
-status = head.index("status")
+status, reason = head.index("status"), head.index("reason")
 for row in rows:
+    row[reason] = ""
     left = row[status] in ("unfinished", "running", "interrupted")
     out.writerow([*row[:status], "missing", *[""] * (len(head) - status - 1)] if left else row)'
 }

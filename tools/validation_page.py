@@ -71,7 +71,7 @@ def mean_and_sd(values: list[float]) -> tuple[float, float]:
 
 def cell(values: list[float], digits: int) -> str:
     if len(values) < 2:
-        return ""
+        return f"{values[0]:.{digits}f}" if values else ""
     mean, sd = mean_and_sd(values)
     return f"{mean:.{digits}f} +- {sd:.{digits}f}"
 
