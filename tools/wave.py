@@ -101,7 +101,7 @@ def keep(wave, results):
     """Adds the runs that are done to the kept table; a run that is there already stays as it is."""
     table = pandas.read_csv(results)
     table = table[table["status"].isin(["done", "failed"])]
-    wanted = {"label", "replicate", "seed", "cause", "trajectory_hash", *first_wave()["readouts"],
+    wanted = {"label", "replicate", "cause", "trajectory_hash", *first_wave()["readouts"],
               *(one.readout for one in read_outcomes(KEPT / "outcomes.toml")), *ranges_of(table)}
     table = table[[name for name in table if name in wanted]]
     file = KEPT / f"wave-{wave}.csv"
