@@ -11,7 +11,7 @@ plot_path <- function(x, cell = NULL, from_start = FALSE, ...) {
   y_seen <- range_of("y_um")
   below <- 0.12 * max(diff(x_seen), diff(y_seen), 1) # where the scale bar is
   .frame(x_seen, c(y_seen[1] - below, y_seen[2]), asp = 1, xlab = .micro("x (um)"), ylab = .micro("y (um)"), ...)
-  .legend(.in_words(names), .colours(length(names)))
+  .legend(.shown(names, tracks), .colours(length(names)))
   for (k in seq_along(paths)) lines(paths[[k]]$x_um, paths[[k]]$y_um, col = colours[k], lwd = 1.4)
   for (k in seq_along(paths)) {
     path <- paths[[k]]
@@ -41,7 +41,7 @@ plot_msd <- function(x, cell = NULL, ...) {
   .frame(lags, range(rows$msd_um2, slopes, bands, na.rm = TRUE),
     log = "xy", xlab = "lag (min)", ylab = .micro("mean square displacement (um2)"), ...
   )
-  .legend(.in_words(names), .colours(length(names)))
+  .legend(.shown(names, if (of_study) read_results(x) else rows), .colours(length(names)))
   for (k in 1:2) lines(lags, c(slopes[1], slopes[k + 1]), lty = 2, col = "grey60")
   if (lags[2] > lags[1]) text(lags[2], slopes[2:3], c("slope 1", "slope 2"), adj = c(1, -0.4), cex = 0.8, col = "grey40", xpd = NA)
   for (k in seq_along(curves)) {
@@ -80,8 +80,7 @@ plot_boxes <- function(study, readout = "v_migr_abs_um_per_h", ...) {
   }
   for (k in seq_along(samples)) {
     sample <- samples[[k]]
-    beside <- if (length(sample) > 1) seq(-0.12, 0.12, length.out = length(sample)) else 0
-    points(k + beside, sample, pch = 19, col = adjustcolor(.colours(1), 0.6))
+    points(k + .beside(length(sample)), sample, pch = 19, col = adjustcolor(.colours(1), 0.6))
   }
   .labels_below(named$labels)
   invisible(boxes)
@@ -89,14 +88,29 @@ plot_boxes <- function(study, readout = "v_migr_abs_um_per_h", ...) {
 
 .least_for_box <- 5 # runs that a box is drawn of; of fewer the runs alone
 
+# Where dots of n runs are beside the middle of their point: few stay near it, so that none seems to have another value.
+.beside <- function(n) 0.03 * (seq_len(n) - (n + 1) / 2) * min(1, 8 / n)
+
+# The parameters by which a study names its points, as columns of its tables; none where labels are the author's own.
+.naming <- function(table, labels) {
+  columns <- names(table)
+  last <- match("replicate", columns) - 1
+  if (!"label" %in% columns || is.na(last)) return(character())
+  found <- columns[seq_len(last)][-seq_len(match("label", columns))]
+  named <- vapply(.last_word(found), function(word) all(grepl(paste0("(^|[ .])", word, " "), labels)), TRUE)
+  if (all(named)) found else character()
+}
+
+.last_word <- function(column) sub(".*[.]", "", sub("_[^_.]*$", "", column)) # "youngs_modulus" of "ecm.youngs_modulus_Pa"
+
+# Labels of points as figures show them: those of the author as they are.
+.shown <- function(labels, table) if (length(.naming(table, labels)) > 0) .in_words(labels) else labels
+
 # What the points of a study are called: the values alone, below the title of an axis, where a single parameter of numbers names them; else their labels.
 .points_of <- function(results, labels) {
-  columns <- names(results)
-  first <- match("label", columns) + 1
-  last <- match("replicate", columns) - 1
-  column <- columns[first]
-  made <- sub(".*[.]", "", sub("_[^_.]*$", "", column)) # "youngs_modulus" of "ecm.youngs_modulus_Pa"
-  if (first != last || !is.numeric(results[[column]]) || !all(startsWith(labels, paste0(made, " ")))) return(list(labels = .in_words(labels), title = ""))
+  column <- .naming(results, labels)
+  if (length(column) != 1 || !is.numeric(results[[column[1]]])) return(list(labels = .shown(labels, results), title = ""))
+  made <- .last_word(column)
   unit <- sub(".*_", "", column)
   section <- if (made %in% .shared_words) paste0(gsub("[._]", " ", sub("[.][^.]*$", "", sub("_[^_.]*$", "", column))), ": ") else ""
   list(labels = format(results[[column]][match(labels, results$label)], trim = TRUE), title = .micro(paste0(section, .in_words(made), " (", unit, ")")))
@@ -171,8 +185,17 @@ plot_boxes <- function(study, readout = "v_migr_abs_um_per_h", ...) {
 .legend <- function(names, colours) {
   if (length(names) < 2 || length(names) > 8) return(invisible())
   above <- length(names) * (0.8 * max(strwidth(names, "inches")) + 0.5) < par("pin")[1]
-  place <- if (above) list("bottomleft", inset = c(0, 1), xpd = NA, horiz = TRUE) else list("topleft")
-  do.call(legend, c(place, list(legend = names, col = colours, lwd = 2, cex = 0.8, bty = "n")))
+  if (above) return(legend("bottomleft", inset = c(0, 1), xpd = NA, horiz = TRUE, legend = names, col = colours, lwd = 2, cex = 0.8, bty = "n"))
+  room <- par("pin")[1] - 0.6
+  broken <- .broken(names, max(20, floor(30 * room / (0.8 * strwidth(strrep("n", 30), "inches")))))
+  cex <- min(0.8, room / max(strwidth(broken, "inches")))
+  legend("topleft", legend = broken, col = colours, lwd = 2, cex = cex, bty = "n")
+}
+
+# Labels in lines of at most some letters, broken at blanks where there are any.
+.broken <- function(labels, letters) {
+  words <- function(label) gsub(paste0("(\\S{", letters, "})(?=\\S)"), "\\1 ", label, perl = TRUE)
+  vapply(labels, function(label) paste(strwrap(words(label), letters + 1), collapse = "\n"), "", USE.NAMES = FALSE)
 }
 
 # A bar of a round length, at most a quarter of the width, in the lower right corner.
@@ -187,9 +210,19 @@ plot_boxes <- function(study, readout = "v_migr_abs_um_per_h", ...) {
   text(right - length / 2, low, .micro(paste(format(length), "um")), pos = 3, cex = 0.8)
 }
 
-# Labels of boxes, aslant where they would touch.
+# Labels of boxes: in a line; aslant where they would touch, and whole: in as many lines and as small as the margins ask.
 .labels_below <- function(labels) {
   at <- seq_along(labels)
   if (max(strwidth(labels)) < 0.95) return(axis(1, at, labels, tick = FALSE))
-  text(at, grconvertY(-0.03, "npc"), labels, srt = 30, adj = c(1, 1), xpd = NA, cex = 0.8)
+  step <- par("pin")[1] / (length(labels) + 0.2) # between two labels [inch]
+  below <- par("mai")[1] - 0.05 * par("pin")[2]
+  left <- par("mai")[2] + 0.5 * step
+  for (cex in c(0.8, 0.65, 0.5, 0.4)) for (lines in 1:8) {
+    shown <- .broken(labels, max(8, ceiling(1.15 * max(nchar(labels)) / lines)))
+    width <- max(strwidth(shown, "inches", cex = cex))
+    height <- max(strheight(shown, "inches", cex = cex))
+    fits <- width * sin(pi / 6) + height * cos(pi / 6) < below && width * cos(pi / 6) < left && height / sin(pi / 6) < step
+    if (fits) return(text(at, grconvertY(-0.03, "npc"), shown, srt = 30, adj = c(1, 1), xpd = NA, cex = cex))
+  }
+  text(at, grconvertY(-0.03, "npc"), shown, srt = 30, adj = c(1, 1), xpd = NA, cex = cex)
 }

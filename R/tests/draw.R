@@ -57,3 +57,25 @@ refused("has no cell 7", plot_path(pair, cell = 7))
 refused("x: has two rows of pair/1 at t_s = 0", plot_path(rbind(read_tracks(pair), read_tracks(pair))))
 refused("x: has no column id", plot_path(data.frame(x_um = 1, y_um = 1)))
 refused("a run of 20 min has the first", plot_msd(read_msd(pair)[0, ]))
+
+# Labels of an author stand as they are, and whole: each line of them begins within the figure.
+own <- file.path(tempfile("study"))
+dir.create(own)
+labels <- c("soft_gel at $5, _weak_ contraction of 0.3 um", "one_word_that_is_longer_than_any_margin_of_this_figure_has_room_for")
+invisible(file.copy(file.path(study, "study.resolved.toml"), own))
+for (name in c("results.csv", "msd.csv")) {
+  lines <- readLines(file.path(study, name))
+  for (k in 1:2) lines <- gsub(c("youngs_modulus 50 Pa", "youngs_modulus 200 Pa")[k], paste0('"', labels[k], '"'), lines, fixed = TRUE)
+  writeLines(lines, file.path(own, name))
+}
+grDevices::pdf(file, compress = FALSE, width = 5, height = 4)
+plot_boxes(own)
+plot_msd(own)
+invisible(grDevices::dev.off())
+texts <- grep(" Tm ", readLines(file, warn = FALSE, encoding = "latin1"), value = TRUE)
+said <- gsub("^.*Tm \\[?\\(|\\)\\]? TJ?j?$", "", gsub("\\) -?[0-9]+ \\(", "", texts)) # without kerning
+whole <- function(label) grepl(gsub(" ", "", label), gsub(" ", "", paste(said, collapse = "")), fixed = TRUE)
+matrix <- lapply(strsplit(sub(" Tm .*", "", texts), " "), function(words) as.numeric(tail(words, 6)))
+places <- vapply(Filter(function(m) m[1] > 0 && m[2] > 0, matrix), function(m) m[5:6], c(0, 0)) # of lines that are aslant
+stopifnot(ncol(places) > 1, places >= 0, whole(labels[1]), whole(labels[2]))
+invisible(file.remove(file))

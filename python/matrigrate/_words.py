@@ -3,8 +3,8 @@ same. And the one table of colours and sizes of figures.
 
 >>> title("tau_prot_min"), title("n_protrusions")
 ('lifetime of a mature adhesion, mean, tau_prot (min)', 'protrusions initiated')
->>> title("ecm.youngs_modulus_Pa"), setting("protrusion.force_nN", 0.2)
-("Young's modulus of the intact matrix, E (Pa)", 'F_prot = 0.2 nN')
+>>> title("ecm.youngs_modulus_Pa"), setting("ecm.youngs_modulus_Pa", 50.0), plain("$5 to $10")
+("Young's modulus of the intact matrix, E (Pa)", 'E = 50 Pa', '\\\\$5 to \\\\$10')
 """
 from __future__ import annotations
 
@@ -36,6 +36,11 @@ def typeset(text: str) -> str:
     '$f_{\\\\mathrm{mat}}$, $τ_{\\\\mathrm{prot}}$'
     """
     return _symbol.sub(lambda m: f"${_greek.get(m[1], m[1])}_{{\\mathrm{{{m[2].replace('_', ',')}}}}}$", text)
+
+
+def plain(text: str) -> str:
+    """Text of a user for matplotlib, as it stands: "$" begins no formula, and a name in a legend may begin with "_"."""
+    return re.sub("^_", "\u200b_", text.replace("$", r"\$"))
 
 
 def lettered(text: str) -> str:
@@ -104,9 +109,9 @@ def axis_title(column: str, letters: int = 44) -> str:
 
 
 def setting(column: str, value: Any) -> str:
-    """A value of a parameter as a legend names it: by symbol, or by words if it has none."""
+    """A value of a parameter as a legend of matplotlib names it: by symbol, or by words if it has none."""
     name = f"{symbol(column)} =" if symbol(column) else words(column)
-    return f"{name} {number(value)} {unit(column)}".strip()
+    return f"{typeset(name)} {plain(number(value))} {unit(column)}".strip()
 
 
 def number(value: Any) -> str:
@@ -114,6 +119,18 @@ def number(value: Any) -> str:
     if isinstance(value, (bool, str)):
         return str(value)
     return "" if not math.isfinite(value) else f"{value:.4g}"
+
+
+def time_text(seconds: float) -> str:
+    """As the pages say it.
+
+    >>> time_text(10800), time_text(720), time_text(90)
+    ('3 h 00 min', '12 min', '1 min 30 s')
+    """
+    minutes, rest = divmod(round(seconds), 60)
+    hours, minutes = divmod(minutes, 60)
+    parts = [f"{hours} h {minutes:02} min"] if hours else [f"{minutes} min"] if minutes or not rest else []
+    return " ".join(parts + [f"{rest:02} s" if parts else f"{rest} s"] * (rest > 0))
 
 
 def plain_decades(axis: Any, low: float, high: float) -> None:

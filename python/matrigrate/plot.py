@@ -38,7 +38,7 @@ def path(run: Run | Tracks | Mapping[str, Run], axes: Axes | None = None, *, tog
     runs = {"": _arguments.one_of("run", run, Run)} if not isinstance(run, Mapping) else dict(run)
     _pyplot()  # says what is missing before tables are read
     named_by = _labels(run.study) if isinstance(run, Runs) and run.study is not None else {}
-    paths = [(named_by.get(name, name), number, cell.tracks) for name, one in runs.items() for number, cell in one.cells.items()]
+    paths = [(named_by.get(name, _words.plain(name)), number, cell.tracks) for name, one in runs.items() for number, cell in one.cells.items()]
     if together:
         paths = [(name, number, _from_start(track)) for name, number, track in paths]
     axes = axes or _new_axes(figsize=_shape([table for _, _, table in paths]))
@@ -101,7 +101,7 @@ def frame(run: Run, t: float | None = None, field: str = "displacement", axes: A
     field = shown.name.removeprefix("matrix/")
     axes = axes or _new_axes(figsize=(6.6, 5.6))
     seen = _drawing.window_of(fields, k, window, follow)
-    axes.set(xlim=seen[:2], ylim=seen[2:], title=f"{fields.times[k] / 60:g} min")
+    axes.set(xlim=seen[:2], ylim=seen[2:], title=_words.time_text(fields.times[k]))
     _plane(axes)
     low, high, beyond = _drawing.limits_of(fields, field) if limits is None else (*limits, "neither")
     colours = _drawing.matrix(axes, fields, field, k, seen, (low, high), fluid)
@@ -161,9 +161,8 @@ def boxes(study: Study, readout: str = "v_migr_abs_um_per_h", axes: Axes | None 
         axes.boxplot([samples[k - 1] for k in boxed], positions=boxed, widths=0.5, manage_ticks=False, showfliers=False,
                      medianprops={"color": _colours[0], "linewidth": 2})
     for k, sample in enumerate(samples, 1):
-        spread = np.linspace(-0.12, 0.12, len(sample)) if len(sample) > 1 else np.zeros(len(sample))
-        axes.plot(k + spread, sample, "o", color=_colours[0], alpha=0.5 if k in boxed else 0.8, markersize=4)
-    axes.set_xticks(range(1, len(names) + 1), [_words.typeset(name) for name in names.values()])
+        axes.plot(k + _spread(len(sample)), sample, "o", color=_colours[0], alpha=0.5 if k in boxed else 0.8, markersize=4)
+    axes.set_xticks(range(1, len(names) + 1), list(names.values()))
     axes.set(xlim=(0.5, len(names) + 0.5), xlabel=title, ylabel=_words.axis_title(readout, 40))
     whole = all(float(value).is_integer() for sample in samples for value in sample)
     if whole and not _words.unit(readout):
@@ -175,6 +174,11 @@ def boxes(study: Study, readout: str = "v_migr_abs_um_per_h", axes: Axes | None 
         for text in axes.get_xticklabels():
             text.set(rotation=30, horizontalalignment="right", rotation_mode="anchor")
     return axes
+
+
+def _spread(n: int) -> Any:
+    """Where dots of n runs are beside the middle of their point: few stay near it, so that none seems to have another value."""
+    return 0.03 * (np.arange(n) - 0.5 * (n - 1)) * min(1.0, 8 / max(n, 1))
 
 
 def quality(tracks: Tracks) -> Any:
@@ -212,7 +216,7 @@ def msd(results: Run | Study | Tracks, axes: Axes | None = None) -> Axes:
         groups = [(f"cell {number}", rows) for number, rows in table.groupby("cell")]
     elif not isinstance(results, Run):
         known = _points(results, with_name=True)[0]
-        groups = [(_words.typeset(known.get(name, name)), rows) for name, rows in table.groupby("point", sort=False)]
+        groups = [(known.get(name, _words.plain(name)), rows) for name, rows in table.groupby("point", sort=False)]
     for k, (name, rows) in enumerate(groups):
         colour, lag = _colours[k % len(_colours)], rows["lag_s"] / 60
         axes.plot(lag, rows["msd_um2"], "o-", color=colour, markersize=3, label=str(name) or None)
@@ -230,7 +234,9 @@ def _slopes(axes: Axes, lag: Any, square: Any) -> None:
     lags = np.array([np.min(lag), np.max(lag)])
     start = float(np.asarray(square)[0]) or 1.0
     for slope in (1, 2):
-        axes.plot(lags, start * (lags / lags[0]) ** slope, "--", color="#999999", linewidth=1)
+        line = start * (lags / lags[0]) ** slope
+        axes.plot(lags, line, "--", color="#999999", linewidth=1)
+        axes.annotate(f"slope {slope}", (lags[1], line[1]), (3, 0), textcoords="offset points", va="center", fontsize=8, color="#666666")
     axes.set(xscale="log", yscale="log")
     _words.plain_decades(axes.xaxis, *axes.get_xlim())
     _words.plain_decades(axes.yaxis, *axes.get_ylim())
@@ -254,7 +260,7 @@ def _new_axes(**options: Any) -> Any:
 
 
 def _points(study: Study, with_name: bool = False) -> tuple[dict[str, str], str]:
-    """What each point of a study is called by its label, and the title of an axis of them: of a single parameter the values alone.
+    """What matplotlib calls each point of a study by its label, and the title of an axis of them: of a single parameter the values alone.
 
     :param with_name: whether values have the name of their parameter beside them
     """
@@ -262,10 +268,10 @@ def _points(study: Study, with_name: bool = False) -> tuple[dict[str, str], str]
     labels = list(points["label"])
     own = all(_words.parameter_of(name) and _is_named_by(label, name) for label in labels for name in parameters)
     if not parameters or not own:
-        return {label: label for label in labels}, ""
+        return {label: _words.plain(label) for label in labels}, ""
     rows = points[parameters].to_dict("records")
     if len(parameters) == 1 and not with_name:
-        return {label: _words.number(row[parameters[0]]) for label, row in zip(labels, rows, strict=True)}, _words.axis_title(parameters[0])
+        return {label: _words.plain(_words.number(row[parameters[0]])) for label, row in zip(labels, rows, strict=True)}, _words.axis_title(parameters[0])
     return {label: ", ".join(_words.setting(name, value) for name, value in row.items()) for label, row in zip(labels, rows, strict=True)}, ""
 
 
@@ -278,7 +284,7 @@ def _is_named_by(label: str, column: str) -> bool:
 def _labels(study: Study) -> dict[str, str]:
     """By the name of a run what its point is called."""
     known = _points(study, with_name=True)[0]
-    return {run: _words.typeset(known[label]) for run, label in zip(study.results["run"], study.results["label"], strict=True)}
+    return {run: known[label] for run, label in zip(study.results["run"], study.results["label"], strict=True)}
 
 
 def _shape(tracks: list[Any]) -> tuple[float, float]:

@@ -111,6 +111,28 @@ class Figures(unittest.TestCase):
         self.read(curves)
         self.assertEqual([text.get_text() for text in curves.get_legend().get_texts()], ["E = 50 Pa", "E = 200 Pa"])
 
+    def test_labels_of_the_author_stand_as_they_are(self):
+        labels = {"youngs_modulus 50 Pa": "_control, $5 to $10 a_b", "youngs_modulus 200 Pa": "$$f_mat$$ \\alpha & <b>"}
+        with common.tempfile.TemporaryDirectory() as folder:
+            copy = pathlib.Path(shutil.copytree(study, pathlib.Path(folder) / "study"))
+            for name in ("results.csv", "msd.csv"):
+                text = (copy / name).read_text()
+                for made, own in labels.items():
+                    text = text.replace(made, f'"{own}"')
+                (copy / name).write_text(text)
+            of_own = matrigrate.load_study(copy)
+            for axes in (matrigrate.plot.path(of_own.runs), matrigrate.plot.msd(of_own), matrigrate.plot.path({own: run for own, run in zip(labels.values(), of_own.runs.values())}),
+                         matrigrate.plot.boxes(of_own)):
+                self.addCleanup(pyplot.close, axes.figure)
+                axes.figure.draw_without_rendering()
+                texts = axes.get_legend().get_texts() if axes.get_legend() else axes.get_xticklabels()
+                self.assertEqual([text.get_text() for text in texts], ["\u200b_control, \\$5 to \\$10 a_b", "\\$\\$f_mat\\$\\$ \\alpha & <b>"])
+                self.assertEqual([text._preprocess_math(text.get_text()) for text in texts], [(f"\u200b{one}" if one[0] == "_" else one, False) for one in labels.values()])
+
+    def test_words_and_values_of_the_user_in_one_label(self):
+        self.assertEqual(_words.setting("protrusion.force_nN", 0.2), "$F_{\\mathrm{prot}}$ = 0.2 nN")
+        self.assertEqual(_words.setting("ecm.fields.youngs_modulus", "a_b$.csv"), "ecm fields: youngs modulus a_b\\$.csv")
+
     def test_the_scale_bar_is_where_no_cell_is(self):
         seen = ((0.0, 100.0), (0.0, 100.0))
         corner = [np.array([[5.0, 5.0], [20.0, 8.0]])]
