@@ -3,6 +3,7 @@
 #include "base/failure.hpp"
 
 #include <cstddef>
+#include <map>
 #include <string>
 #include <utility>
 #include <vector>
@@ -10,13 +11,15 @@
 /// What is found while a file of tracks is read. Test: tests/unit/tracks/read_tracks_test.cpp
 namespace matrigrate::tracks {
 
-/// Faults and notes of one file. The first twenty faults are kept, the others counted.
+/// Faults and notes of one file. Of faults of one kind the first is kept, the others are counted; so is what is beyond
+/// twenty kinds.
 class Findings {
 public:
   explicit Findings(std::string file) : m_file(std::move(file)) {}
 
   /// @param line  0 for the file as a whole
-  void fault(std::size_t line, std::string message);
+  /// @param kind  empty: what the message is without its numbers and what it quotes
+  void fault(std::size_t line, std::string message, std::string kind = {});
   void note(std::string message) { m_notes.push_back(std::move(message)); }
 
   bool good() const { return m_count == 0; }
@@ -28,6 +31,8 @@ public:
 private:
   std::string m_file;
   std::vector<Fault> m_faults;
+  std::vector<std::size_t> m_more;            ///< of the kind of each of them
+  std::map<std::string, std::size_t> m_kinds; ///< indices of faults
   std::size_t m_count = 0;
   std::vector<std::string> m_notes;
 };

@@ -127,11 +127,9 @@ TEST(TrackFiles, TimeStampsMayScatter) {
       notes(cells, "time stamps scatter: steps differ from 120.044 s by 2.6 % (root mean square), at most 7.2 %"));
   TrackOptions strict;
   strict.jitter = 0.01;
-  const std::string told = faults_of_file("jitter.csv", strict);
-  EXPECT_EQ(told.substr(0, told.find('\n')),
+  EXPECT_EQ(faults_of_file("jitter.csv", strict),
             "jitter.csv:4:1: track 0 has a step of 119.065 s, the median is 120.439 s: one "
-            "interval is needed, within 1 % (--jitter 0.01)");
-  EXPECT_EQ(std::ranges::count(told, '\n'), 5) << "a line per track";
+            "interval is needed, within 1 % (--jitter 0.01) (and 5 more)");
 }
 
 } // namespace
