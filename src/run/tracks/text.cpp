@@ -85,6 +85,32 @@ std::string from_utf16(std::string_view bytes, bool big) {
   return text;
 }
 
+/// Minus signs and dashes become "-", blanks that do not break become " ", and marks of a byte order within a text
+/// nothing.
+void mend_signs(std::string& text) {
+  std::size_t to = 0;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const std::string_view three = std::string_view(text).substr(i, 3);
+    const unsigned last = three.size() == 3 ? byte_at(three, 2) : 0;
+    const bool general = three.starts_with("\xe2\x80");
+    if (three == "\u2212" || (general && last >= 0x90 && last <= 0x95)) {
+      text[to++] = '-';
+      i += 2;
+    } else if (general && (last == 0x87 || last == 0x89 || last == 0xaf)) {
+      text[to++] = ' ';
+      i += 2;
+    } else if (three.starts_with("\u00a0")) {
+      text[to++] = ' ';
+      i += 1;
+    } else if (three == "\ufeff") {
+      i += 2;
+    } else {
+      text[to++] = text[i];
+    }
+  }
+  text.resize(to);
+}
+
 /// \r\n and \r become \n.
 void mend_line_ends(std::string& text) {
   std::size_t to = 0;
@@ -136,6 +162,7 @@ Text decoded(std::string_view bytes, Findings& findings) {
     }
   }
   mend_line_ends(text.utf8);
+  mend_signs(text.utf8);
   find_control_characters(text.utf8, findings);
   return text;
 }

@@ -9,7 +9,7 @@
 namespace matrigrate::tracks {
 
 struct Text {
-  std::string utf8;     ///< lines end with \n
+  std::string utf8;     ///< lines end with \n, minus signs are "-", blanks " "
   std::string encoding; ///< "UTF-8", "UTF-16" or "Windows-1252"
 };
 

@@ -49,6 +49,17 @@ TEST(TrackText, EncodingsAndEndsOfLines) {
   EXPECT_EQ(read_text("\u00b5").encoding, "UTF-8");
 }
 
+TEST(TrackText, SignsOfTypesetting) {
+  EXPECT_EQ(read_text("\u22125,1\u00a0080,1\u202f080,\u20131,a\ufeffb,\u00b5,\u2026").utf8,
+            "-5,1 080,1 080,-1,ab,\u00b5,\u2026");
+  EXPECT_EQ(read_text("\x96"
+                      "5,1\xa0"
+                      "0")
+                .utf8,
+            "-5,1 0")
+      << "of Windows-1252";
+}
+
 TEST(TrackText, WhatIsNoTextIsCalledByItsName) {
   EXPECT_EQ(refusal("PK\x03\x04..."), "f: is a workbook (.xlsx) or another archive: save the sheet as CSV");
   EXPECT_EQ(refusal("\xd0\xcf\x11\xe0..."), "f: is a workbook (.xls): save the sheet as CSV");
