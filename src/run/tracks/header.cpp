@@ -29,7 +29,12 @@ std::string before_name(const Layout::Names& names, const std::string& title) {
 class HeaderReader {
 public:
   HeaderReader(const SheetRow& row, const TrackOptions& options) : m_header(row.fields), m_options(options) {
-    if (!m_header.empty() && m_header[0].starts_with('#')) m_header[0] = trimmed(m_header[0].substr(1));
+    if (const auto name = behind_comment_sign(m_header[0])) {
+      if (name->empty() && m_header.size() > 3)
+        m_header.erase(m_header.begin()); // "# track t x y", by blanks
+      else
+        m_header[0] = std::string(*name);
+    }
     for (const std::string& name : m_header) m_titles.push_back(column_title(name));
   }
 

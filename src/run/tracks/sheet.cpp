@@ -131,8 +131,21 @@ bool has_thousands_sign(std::string_view field) {
 }
 
 bool says_nothing(std::string_view field) {
-  static const std::vector<std::string> words{"", "nan", "na", "n/a", "#n/a", "none", "null", "-", "<na>", "-nan"};
+  static const std::vector<std::string> words{"",     "nan", "na",   "n/a",  "#n/a",     "none",
+                                              "null", "-",   "<na>", "-nan", "undefined"};
   return std::ranges::find(words, lower(trimmed(field))) != words.end();
+}
+
+bool is_no_track(std::string_view id) {
+  static const std::vector<std::string> words{"no track", "untracked", "unassigned", "unlinked"};
+  return says_nothing(id) || sheet_number(id, false).value_or(0.0) < 0.0
+         || std::ranges::find(words, lower(id)) != words.end();
+}
+
+std::optional<std::string_view> behind_comment_sign(std::string_view text) {
+  for (const std::string_view sign : {"#", "%", "//", ";"})
+    if (text.starts_with(sign)) return trimmed(text.substr(sign.size()));
+  return std::nullopt;
 }
 
 } // namespace matrigrate::tracks

@@ -14,6 +14,7 @@ struct SheetRow {
   std::size_t line = 0; ///< where it begins, from 1
   std::vector<std::string> fields;
   bool open_quote = false; ///< whether a quote of it is not closed
+  std::size_t part = 0;    ///< which of several files that were joined it is from
 };
 
 inline constexpr std::size_t all_rows = std::numeric_limits<std::size_t>::max();
@@ -35,5 +36,11 @@ bool has_thousands_sign(std::string_view field);
 
 /// Whether a field says that there is no value: empty, "NaN", "NA", "None", "-"...
 bool says_nothing(std::string_view field);
+
+/// Whether an id says that there is no track: it says nothing, or is a negative number.
+bool is_no_track(std::string_view id);
+
+/// The text behind the sign of a comment that it begins with, #, %, // or ;. Nothing if it begins with none.
+std::optional<std::string_view> behind_comment_sign(std::string_view text);
 
 } // namespace matrigrate::tracks

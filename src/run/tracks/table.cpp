@@ -4,8 +4,12 @@
 #include "tracks/layouts.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
+#include <set>
+#include <span>
 #include <string_view>
 
 namespace matrigrate::tracks {
@@ -57,7 +61,8 @@ std::optional<Table> headerless(std::string_view text, const ColumnNames& names)
 }
 
 /// TrackMate writes two rows of titles and one of units below its header. Takes them off the rows.
-void take_titles_off(Table& table) {
+/// @return  their fields
+std::vector<std::vector<std::string>> take_titles_off(Table& table) {
   const auto field = [](const SheetRow& row, Table::Column c) {
     return c && *c < row.fields.size() ? row.fields[*c] : std::string();
   };
@@ -67,9 +72,9 @@ void take_titles_off(Table& table) {
     const auto text = [](const std::string& one) { return !is_numeric(one) && !says_nothing(one); };
     return text(field(row, table.x)) && text(field(row, table.y));
   };
-  if (column_title(table.name(table.x)).name != "position_x") return;
+  if (column_title(table.name(table.x)).name != "position_x") return {};
   while (titles < 3 && titles < table.rows.size() && is_title(table.rows[titles])) last = &table.rows[titles++];
-  if (last == nullptr) return;
+  if (last == nullptr) return {};
   const auto unit = [&](Table::Column c, std::string& own) {
     std::string written = field(*last, c);
     if (!written.starts_with('(')) return;
@@ -79,7 +84,79 @@ void take_titles_off(Table& table) {
   unit(table.x, table.x_unit);
   unit(table.y, table.y_unit);
   unit(table.t, table.t_unit);
+  std::vector<std::vector<std::string>> fields;
+  for (std::size_t k = 0; k < titles; ++k) fields.push_back(std::move(table.rows[k].fields));
   table.rows.erase(table.rows.begin(), table.rows.begin() + static_cast<std::ptrdiff_t>(titles));
+  return fields;
+}
+
+/// "line 5", "lines 5, 9, 12 ...".
+std::string lines_text(const std::vector<std::size_t>& lines) {
+  constexpr std::size_t most = 3;
+  const std::span<const std::size_t> named(lines.data(), std::min(most, lines.size()));
+  return fmt::format("line{} {}{}", lines.size() == 1 ? "" : "s", fmt::join(named, ", "),
+                     lines.size() > most ? " ..." : "");
+}
+
+/// Files that were joined have the header in the middle, too. Such rows are taken off; each row gets the number of its
+/// file.
+void take_headers_off(Table& table, const std::vector<std::vector<std::string>>& titles, Findings& findings) {
+  std::vector<std::size_t> lines;
+  for (SheetRow& row : table.rows) {
+    if (row.fields == titles.front()) lines.push_back(row.line);
+    row.part = lines.size();
+  }
+  if (!lines.empty())
+    std::erase_if(table.rows,
+                  [&](const SheetRow& row) { return std::ranges::find(titles, row.fields) != titles.end(); });
+  table.parts = lines.size() + 1;
+  if (!lines.empty())
+    findings.note(fmt::format("{} {} the header: {} were joined", lines_text(lines),
+                              lines.size() == 1 ? "repeats" : "repeat", counted(table.parts, "file")));
+}
+
+/// Whether a row may be one of a table: it has what may be numbers where a position has them.
+bool has_position(const SheetRow& row, const Table& table) {
+  return std::ranges::all_of(std::array{*table.x, *table.y}, [&](std::size_t c) {
+    if (c >= row.fields.size()) return false;
+    const std::string& field = row.fields[c];
+    return is_numeric(field) || says_nothing(field) || has_thousands_sign(field);
+  });
+}
+
+/// Takes comments within a table off its rows, and lines below it: they begin with a word that is no id of a track, and
+/// have no time.
+void take_remarks_off(Table& table, Findings& findings) {
+  std::vector<std::size_t> lines;
+  std::erase_if(table.rows, [&](const SheetRow& row) {
+    const bool opens = behind_comment_sign(row.fields[0]) || (table.separator == ';' && row.fields[0].empty());
+    if (!opens || has_position(row, table)) return false;
+    lines.push_back(row.line);
+    return true;
+  });
+  if (!lines.empty())
+    findings.note(fmt::format("{} within the table {} left out ({})", counted(lines.size(), "comment"),
+                              lines.size() == 1 ? "is" : "are", lines_text(lines)));
+  std::set<std::string> ids;
+  const auto field = [](const SheetRow& row, Table::Column c) {
+    return c && *c < row.fields.size() ? row.fields[*c] : std::string();
+  };
+  for (const SheetRow& row : table.rows) {
+    const std::string time = field(row, table.frame ? table.frame : table.t);
+    if (!time.empty() && time[0] >= '0' && time[0] <= '9') ids.insert(field(row, table.track));
+  }
+  lines.clear();
+  const auto is_footer = [&](const SheetRow& row) {
+    const std::string& first = *std::ranges::find_if(row.fields, [](const std::string& f) { return !f.empty(); });
+    const std::string time = field(row, table.frame ? table.frame : table.t);
+    return !is_numeric(first) && !is_numeric(time) && !ids.contains(first) && !row.open_quote
+           && !ids.contains(field(row, table.track));
+  };
+  for (; !table.rows.empty() && !ids.empty() && is_footer(table.rows.back()); table.rows.pop_back())
+    lines.insert(lines.begin(), table.rows.back().line);
+  if (!lines.empty())
+    findings.note(fmt::format("{} below the table {} left out ({})", counted(lines.size(), "line"),
+                              lines.size() == 1 ? "is" : "are", lines_text(lines)));
 }
 
 /// R writes names of rows below a header that has none for them.
@@ -95,6 +172,7 @@ void mend_row_names(Table& table) {
 
 std::string Table::name(Column column) const {
   if (!column) return {};
+  if (parts > 1 && *column == header.size()) return "the file that was joined";
   return *column < header.size() ? header[*column] : fmt::format("column {}", *column + 1);
 }
 
@@ -120,9 +198,12 @@ std::optional<Table> find_table(std::string_view text, const TrackOptions& optio
     return std::nullopt;
   }
   found->rows = sheet_rows(text, found->separator);
-  std::erase_if(found->rows,
-                [line](const SheetRow& row) { return row.line <= line || row.fields[0].starts_with('#'); });
-  take_titles_off(*found);
+  const auto head = std::ranges::find(found->rows, line, &SheetRow::line);
+  std::vector<std::vector<std::string>> titles{head->fields};
+  found->rows.erase(found->rows.begin(), head + 1);
+  for (auto& fields : take_titles_off(*found)) titles.push_back(std::move(fields));
+  take_headers_off(*found, titles, findings);
+  take_remarks_off(*found, findings);
   mend_row_names(*found);
   return found;
 }

@@ -23,6 +23,7 @@ struct Table {
   bool unique = false;                ///< whether ids do not repeat over groups
   std::string x_unit, y_unit, t_unit; ///< as the header states them
   std::vector<SheetRow> rows;         ///< of data
+  std::size_t parts = 1;              ///< files that were joined; their number is a column behind the last
 
   /// "POSITION_X", or "column 3" without a header; empty if there is none.
   std::string name(Column column) const;

@@ -54,7 +54,10 @@ std::optional<bool> truth(std::string_view field) {
 std::string id_text(const std::string& field) {
   if (!field.ends_with(".0") || field.size() < 3) return field;
   const std::string whole = field.substr(0, field.size() - 2);
-  return std::ranges::all_of(whole, [](char c) { return c >= '0' && c <= '9'; }) ? whole : field;
+  return std::all_of(whole.begin() + (whole[0] == '-' ? 1 : 0), whole.end(),
+                     [](char c) { return c >= '0' && c <= '9'; })
+             ? whole
+             : field;
 }
 
 /// Reads the rows of a table.
@@ -73,8 +76,9 @@ public:
     for (const SheetRow& row : m_table.rows) {
       if (!is_whole(row)) continue;
       const std::string id = id_text(row.fields[*m_table.track]);
-      if (says_nothing(id)) {
+      if (is_no_track(id)) {
         ++m_loose;
+        m_no_tracks.insert(id.empty() ? "empty" : id);
         continue;
       }
       std::string group;
@@ -205,7 +209,10 @@ private:
   }
 
   void tell(bool repeat, const std::vector<std::size_t>& movies) {
-    if (m_loose > 0) m_findings.note(fmt::format("{} in no track are left out", counted(m_loose, "position")));
+    if (m_loose > 0)
+      m_findings.note(fmt::format("{} in no track (id {}) {} left out", counted(m_loose, "position"),
+                                  excerpt(fmt::format("{}", fmt::join(m_no_tracks, ", ")), 40),
+                                  m_loose == 1 ? "is" : "are"));
     if (m_heights.size() > 1) m_findings.note("z is left out: read-outs are those of the projection on the plane");
     if (m_spots.made_up > 0)
       m_findings.note(fmt::format("{} that the tracker made up ({}) are missing positions",
@@ -249,6 +256,7 @@ private:
   Spots m_spots;
   std::map<std::string, std::size_t> m_numbers; ///< of tracks, by their names
   std::set<std::string> m_heights;
+  std::set<std::string> m_no_tracks; ///< ids
   std::size_t m_loose = 0;
   bool m_comma = false;
 };
