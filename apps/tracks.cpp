@@ -4,6 +4,7 @@
 #include "apps/verbs.hpp"
 #include "base/failure.hpp"
 #include "base/file.hpp"
+#include "tracks/drift.hpp"
 #include "tracks/read_tracks.hpp"
 #include "tracks/readouts.hpp"
 
@@ -14,6 +15,7 @@
 #include <cmath>
 #include <filesystem>
 #include <memory>
+#include <stdexcept>
 
 namespace matrigrate::apps {
 
@@ -118,7 +120,11 @@ tracks::Tracks wanted_tracks(const TracksArguments& asked) {
   const tracks::TrackOptions options = track_options(asked.reading);
   const double every = asked.every.empty() ? 0.0 : quantity_option(asked.every, "--every", "s");
   tracks::Tracks cells = tracks::read_tracks(asked.file, options);
-  if (asked.drift) tracks::take_drift_away(cells, asked.file);
+  if (asked.drift) try {
+      tracks::take_drift_away(cells);
+    } catch (const std::invalid_argument& fault) {
+      throw ConfigurationError({{asked.file, 0, 0, {}, fault.what()}});
+    }
   return asked.every.empty() ? cells : tracks::at_interval(cells, every, asked.file);
 }
 
@@ -165,7 +171,7 @@ void add_tracks(CLI::App& app, Action& chosen) {
   add_track_options(*verb, options->reading);
   verb->add_option("--shortest", options->reading.options.shortest, "Leave tracks of fewer positions out (default 4)");
   verb->add_option("--fewest", options->reading.options.fewest, "Refuse fewer tracks (default 2)");
-  verb->add_flag("--drift", options->drift, "Take the mean motion of all tracks away; five are needed");
+  verb->add_flag("--drift", options->drift, "Take the mean motion of all tracks away, where five go on together");
   verb->add_option("--every", options->every, "Take positions at a longer interval [s], a whole multiple");
   verb->add_option("--error", options->error,
                    "Localisation error of a coordinate [um], taken off the mean square displacement");

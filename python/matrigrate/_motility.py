@@ -42,3 +42,12 @@ def parts(tracks: Iterable[np.ndarray[Any, Any]], interval: float) -> _core.Trac
     """
     found: _core.TrackParts = core().TrackParts(list(tracks), interval)
     return found
+
+
+def drift(tracks: Iterable[np.ndarray[Any, Any]], starts: Iterable[float], interval: float) -> tuple[np.ndarray[Any, Any], str]:
+    """The drift of tracks [um], a row an interval from the first start [s] on, and what is said of it; nothing if no interval has any.
+
+    :raises CoreNotFound: without the compiled module
+    """
+    found: tuple[np.ndarray[Any, Any], str] = core().drift(list(tracks), list(starts), interval)
+    return found

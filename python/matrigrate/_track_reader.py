@@ -60,7 +60,7 @@ def in_python(message: str) -> str:
 def _words(name: str, value: Any) -> list[str]:
     """An argument as words of the command line. :raises TypeError: of a wrong type"""
     option = "--" + name.replace("_", "-")
-    if name == "recalibrate":
+    if name in ("recalibrate", "drift"):
         return [option] if _arguments.one_of(name, value, bool) else []
     if value is None:
         return []

@@ -93,25 +93,25 @@ class Tracks(Mapping[str, Any]):
         return {name: math.floor((start - first) / self.interval + 0.5) for name, start in self._starts.items()}
 
     def drift(self) -> np.ndarray[Any, Any]:
-        """Mean step of the tracks that are there at each time, summed up [um]: the drift of the stage, if cells have no
-        common direction of their own. With n tracks its error is their mean step over the root of n."""
-        firsts = self._firsts()
-        last = max(firsts[name] + len(track) for name, track in self.items())
-        steps: list[list[Any]] = [[] for _ in range(last - 1)]
-        for name, track in self.items():
-            for k, step in enumerate(track[1:] - track[:-1], firsts[name]):
-                if np.isfinite(step[0]):
-                    steps[k].append(step)
-        means = [np.mean(of, axis=0) if of else np.zeros(2) for of in steps]
-        return np.vstack([np.zeros((1, 2)), np.cumsum(means, axis=0).reshape(-1, 2)])
+        """Mean step of the tracks that go on at each time, summed up [um], a row an interval from the first start on: the drift of the
+        stage, if cells have no common direction of their own. With n tracks its error is their mean step over the root of n; where fewer
+        than five go on there is none."""
+        return self._drift()[0]
+
+    def _drift(self) -> tuple[np.ndarray[Any, Any], str]:
+        return _motility.drift(self.values(), self._starts.values(), self.interval)
 
     def without_drift(self) -> Tracks:
-        """The tracks less ``drift()``. It takes a common direction of the cells away, too."""
-        if len(self) < 5:
-            raise ConfigurationError(f"drift: {len(self)} tracks cannot tell drift from migration; 5 are needed")
-        drift, firsts = self.drift(), self._firsts()
+        """The tracks less ``drift()``. It takes a common direction of the cells away, too.
+
+        :raises ConfigurationError: if at no time five tracks go on together
+        """
+        (drift, said), firsts = self._drift(), self._firsts()
+        if not said:
+            raise ConfigurationError(f"drift: at no time 5 of {len(self)} tracks go on together, so it cannot be told from migration")
+        reach = max(firsts[name] + len(track) for name, track in self.items())
+        drift = np.pad(drift, ((0, max(0, reach - len(drift))), (0, 0)), mode="edge")  # tracks may end with gaps
         moved = {name: track - drift[firsts[name]:firsts[name] + len(track)] for name, track in self.items()}
-        said = f"a drift of {math.hypot(*drift[-1]):.3g} um from start to end is taken away"
         return Tracks(moved, self.interval, [*self.notes, said], self._starts)
 
     def with_error(self, error: float, seed: int = 1) -> Tracks:
@@ -238,7 +238,7 @@ def read(file: str | os.PathLike[str], *, pixel: float | None = None, frame_inte
     :param recalibrate: whether ``pixel``, ``frame_interval`` and ``time_unit`` replace what the file states
     :param shortest: tracks of fewer positions are left out, and counted in ``notes``
     :param fewest: fewer tracks than this are refused
-    :param drift: whether to take the mean motion of all tracks away
+    :param drift: whether to take the mean motion of all tracks away, where five go on together
     :param interval: the older name of ``frame_interval``
     :raises ConfigurationError: with all that is wrong with the file, each with its line
     """
@@ -246,7 +246,7 @@ def read(file: str | os.PathLike[str], *, pixel: float | None = None, frame_inte
         raise ConfigurationError("interval: is the older name of frame_interval; give one of them")
     options = {"pixel": pixel, "interval": interval if frame_interval is None else frame_interval, "time_unit": time_unit,
                "columns": columns, "layout": layout, "splits": splits, "jitter": jitter, "recalibrate": recalibrate,
-               "shortest": shortest, "fewest": fewest}
+               "shortest": shortest, "fewest": fewest, "drift": drift}
     found = _track_reader.read(file, options)
     by_track: dict[str, list[Any]] = {}
     for name, *row in found["rows"]:
@@ -259,7 +259,6 @@ def read(file: str | os.PathLike[str], *, pixel: float | None = None, frame_inte
         positions[name][indices] = at[:, 1:]
         starts[name] = float(at[0, 0])
     tracks = Tracks(positions, step, found["notes"], starts)
-    tracks = tracks.without_drift() if drift else tracks
     tracks.source = str(file)
     return tracks
 

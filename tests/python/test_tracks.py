@@ -134,6 +134,18 @@ class Files(common.InTemporaryFolder):
         np.testing.assert_allclose(still.drift()[-1], 0, atol=1e-9)
         self.assertIn("is taken away", still.notes[-1])
 
+    def test_drift_of_few_tracks_is_none(self):
+        walk = np.cumsum(np.random.default_rng(5).normal(0.5, 1, (60, 2)), axis=0)
+        cells = tracks.Tracks({"long": walk, **{str(k): walk[:8] for k in range(5)}}, 120.0, [])
+        np.testing.assert_allclose(cells.drift(), np.vstack([walk[:8], np.tile(walk[7], (52, 1))]) - walk[0], atol=1e-12)
+        still = cells.without_drift()
+        np.testing.assert_allclose(np.diff(still["long"][7:], axis=0), np.diff(walk[7:], axis=0), atol=1e-9)
+        self.assertIn("6 tracks from 0 to 840 s; none from 840 to 7080 s", still.notes[-1])
+        gaps = {name: np.vstack([track, np.full((3, 2), np.nan)]) for name, track in cells.items()}
+        np.testing.assert_allclose(tracks.Tracks(gaps, 120.0, []).without_drift()["long"][:60], still["long"])
+        with self.assertRaisesRegex(matrigrate.ConfigurationError, "at no time 5 of 4 tracks"):
+            tracks.Tracks({str(k): walk for k in range(4)}, 120.0, []).without_drift()
+
 
 class Frames(unittest.TestCase):
     def spots(self):

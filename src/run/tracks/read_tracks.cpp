@@ -16,7 +16,6 @@ namespace matrigrate::tracks {
 namespace {
 
 constexpr std::size_t largest_file = std::size_t{1} << 28;
-constexpr std::size_t most_times = 10'000'000; ///< between the first and the last position, for the drift
 constexpr double fast = 1800.0; ///< [um/h]: 30 um/min, of the fastest crawling cells (keratocytes, neutrophils)
 constexpr double slow = 0.02;   ///< [um/h]
 
@@ -107,43 +106,6 @@ Tracks parse_tracks(std::string_view bytes, const std::string& name, const Track
 
 Tracks read_tracks(const std::filesystem::path& file, const TrackOptions& options) {
   return parse_tracks(read_file(file, largest_file), file.string(), options);
-}
-
-void take_drift_away(Tracks& tracks, const std::string& file) {
-  if (tracks.tracks.size() < 5)
-    refuse(file, fmt::format("{} tracks cannot tell drift from migration; 5 are needed", tracks.tracks.size()));
-  double first = tracks.tracks.front().start;
-  for (const Track& track : tracks.tracks) first = std::min(first, track.start);
-  const auto offset = [&](const Track& track) {
-    return static_cast<std::size_t>(std::llround((track.start - first) / tracks.interval));
-  };
-  std::size_t last = 0;
-  for (const Track& track : tracks.tracks) last = std::max(last, offset(track) + track.span());
-  if (last > most_times) refuse(file, fmt::format("its tracks are {} intervals apart: drift cannot be told", last));
-  struct Sum {
-    double x = 0.0, y = 0.0, n = 0.0;
-  };
-  std::vector<Sum> steps(last + 1); // that end at a time
-  for (const Track& track : tracks.tracks)
-    for (std::size_t i = 1; i < track.k.size(); ++i)
-      if (track.k[i] == track.k[i - 1] + 1) {
-        Sum& sum = steps[offset(track) + track.k[i]];
-        sum.x += track.x[i] - track.x[i - 1];
-        sum.y += track.y[i] - track.y[i - 1];
-        sum.n += 1.0;
-      }
-  std::vector<std::pair<double, double>> drift(last + 1, {0.0, 0.0});
-  for (std::size_t k = 1; k <= last; ++k) {
-    const double n = std::max(1.0, steps[k].n);
-    drift[k] = {drift[k - 1].first + steps[k].x / n, drift[k - 1].second + steps[k].y / n};
-  }
-  for (Track& track : tracks.tracks)
-    for (std::size_t i = 0; i < track.k.size(); ++i) {
-      track.x[i] -= drift[offset(track) + track.k[i]].first;
-      track.y[i] -= drift[offset(track) + track.k[i]].second;
-    }
-  tracks.notes.push_back(fmt::format("a drift of {:.3g} um from start to end is taken away",
-                                     std::hypot(drift[last].first, drift[last].second)));
 }
 
 Tracks at_interval(const Tracks& tracks, double interval, const std::string& file) {

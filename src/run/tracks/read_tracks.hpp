@@ -48,10 +48,6 @@ Tracks read_tracks(const std::filesystem::path& file, const TrackOptions& option
 /// @param bytes  of the file   @param name  of it, for messages
 Tracks parse_tracks(std::string_view bytes, const std::string& name, const TrackOptions& options);
 
-/// Less the mean motion of all tracks, with a note of how much it was. It takes a common direction of the cells away.
-/// @throws ConfigurationError if there are fewer than five tracks
-void take_drift_away(Tracks& tracks, const std::string& file);
-
 /// The positions at a longer interval, from the start of each track on.
 /// @throws ConfigurationError if it is no whole multiple of theirs
 Tracks at_interval(const Tracks& tracks, double interval, const std::string& file);

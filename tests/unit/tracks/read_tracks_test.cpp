@@ -101,21 +101,6 @@ TEST(TrackRows, ThatWereNotMeasuredAreMissing) {
             1U);
 }
 
-TEST(TrackDrift, IsTakenAway) {
-  std::string text = "track,t_s,x_um,y_um\n";
-  for (int cell = 0; cell < 5; ++cell)
-    for (int k = 0; k < 3; ++k)
-      text +=
-          std::to_string(cell) + "," + std::to_string(60 * k) + "," + std::to_string(2 * k + (cell - 2) * k) + ",0\n";
-  Tracks cells = of_text(text, few());
-  take_drift_away(cells, "f");
-  EXPECT_EQ(cells.tracks[2].x, (std::vector<double>{0, 0, 0}));
-  EXPECT_EQ(cells.tracks[4].x, (std::vector<double>{0, 2, 4}));
-  EXPECT_EQ(cells.notes.back(), "a drift of 4 um from start to end is taken away");
-  cells.tracks.pop_back();
-  EXPECT_THROW(take_drift_away(cells, "f"), ConfigurationError);
-}
-
 TEST(TrackInterval, MayBeLonger) {
   const Tracks cells = of_text("track,t_s,x_um,y_um\n0,0,0,0\n0,60,1,0\n0,120,2,0\n0,180,3,0\n", few());
   const Tracks sparse = at_interval(cells, 120.0, "f");
