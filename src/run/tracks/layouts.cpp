@@ -116,6 +116,11 @@ const std::vector<Layout>& layouts() {
   return all;
 }
 
+bool names_time(std::string_view plain) {
+  const Layout::Names& names = layouts().back().t;
+  return std::ranges::find(names, plain) != names.end();
+}
+
 bool tells_movies_apart(std::string_view plain) {
   static const std::vector<std::string_view> names{
       "movie",    "video",     "file",       "filename",      "file_name",  "file name", "well",

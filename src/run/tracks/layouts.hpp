@@ -23,6 +23,9 @@ struct Layout {
 /// In the order in which they are tried.
 const std::vector<Layout>& layouts();
 
+/// Names of columns of time in any table.
+bool names_time(std::string_view plain_name);
+
 /// Names of columns that tell movies apart.
 bool tells_movies_apart(std::string_view plain_name);
 

@@ -1,5 +1,6 @@
 #include "parameters/scan.hpp"
 #include "tracks/layouts.hpp"
+#include "tracks/numbers.hpp"
 #include "tracks/spots.hpp"
 
 #include <fmt/format.h>
@@ -10,37 +11,14 @@
 #include <map>
 #include <optional>
 #include <set>
+#include <tuple>
 #include <utility>
 
 namespace matrigrate::tracks {
 
 namespace {
 
-/// Whether numbers of these columns have the comma as their decimal sign; a fault if some have, and others a point.
-bool has_decimal_commas(const Table& table, Findings& findings) {
-  std::string comma, point;
-  std::size_t line = 0;
-  for (const SheetRow& row : table.rows)
-    for (const Table::Column c : {table.x, table.y, table.t}) {
-      if (!c || *c >= row.fields.size()) continue;
-      const std::string& field = row.fields[*c];
-      if (comma.empty() && field.find(',') != std::string::npos && sheet_number(field, true)) {
-        comma = field;
-        line = row.line;
-      }
-      if (point.empty() && field.find('.') != std::string::npos && sheet_number(field, false)) point = field;
-    }
-  if (comma.empty()) return false;
-  if (!point.empty()) {
-    findings.fault(line, fmt::format("has numbers with a comma, {}, and others with a point, {}: write points alone",
-                                     comma, point));
-    return false;
-  }
-  std::string meant = comma;
-  std::ranges::replace(meant, ',', '.');
-  findings.note(fmt::format("commas are read as decimal signs: {} is {}", comma, meant));
-  return true;
-}
+constexpr double half_a_day = 43200.0; ///< [s]
 
 /// Whether a text is a truth value, and which.
 std::optional<bool> truth(std::string_view field) {
@@ -63,12 +41,12 @@ std::string id_text(const std::string& field) {
 /// Reads the rows of a table.
 class SpotReader {
 public:
-  SpotReader(const Table& table, Findings& findings) : m_table(table), m_findings(findings) {
-    m_comma = table.separator != ',' && has_decimal_commas(table, findings);
-  }
+  SpotReader(const Table& table, const TrackOptions& options, Findings& findings)
+      : m_table(table), m_options(options), m_findings(findings), m_signs(number_signs(table, findings)),
+        m_clock(clock_of(table, findings)) {}
 
   Spots spots() {
-    if (!m_findings.good()) return {}; // of decimal signs
+    if (!m_findings.good()) return {}; // of signs
     const std::vector<std::size_t> movies = group_columns();
     std::map<std::string, std::set<std::string>> groups;  // in which an id occurs
     std::vector<std::pair<std::string, std::string>> ids; // group and id of each row that has a track
@@ -89,6 +67,7 @@ public:
     }
     const bool repeat = std::ranges::any_of(groups, [](const auto& one) { return one.second.size() > 1; });
     for (std::size_t i = 0; i < rows.size(); ++i) add(*rows[i], repeat ? ids[i].first + ids[i].second : ids[i].second);
+    look_at_twins();
     tell(repeat, movies);
     return finished(repeat ? movies : std::vector<std::size_t>{});
   }
@@ -151,15 +130,69 @@ private:
     return columns;
   }
 
-  std::optional<double> number(const SheetRow& row, Table::Column column) {
+  std::optional<double> value(const SheetRow& row, Table::Column column) const {
     const std::string& text = field(row, column);
-    if (const auto value = sheet_number(text, m_comma)) return value;
-    const bool comma = m_table.separator != ',' && sheet_number(text, true).has_value();
-    m_findings.fault(row.line, fmt::format("{}: \"{}\" is no finite number{}", m_table.name(column), excerpt(text),
-                                           comma                      ? ": it has a comma, others a point"
-                                           : has_thousands_sign(text) ? ": leave out what separates its thousands"
-                                                                      : ""));
-    return std::nullopt;
+    return m_clock.runs && column == m_table.t ? clock_time(text, m_clock) : number_of(text, m_signs);
+  }
+
+  std::optional<double> number(const SheetRow& row, Table::Column column) {
+    const auto found = value(row, column);
+    if (!found)
+      m_findings.fault(
+          row.line,
+          fmt::format("{}: \"{}\" is no {}{}", m_table.name(column), excerpt(field(row, column)),
+                      m_clock.runs && column == m_table.t ? "time of the clock, as others are" : "finite number",
+                      has_thousands_sign(field(row, column)) ? ": leave out what separates its thousands" : ""));
+    return found;
+  }
+
+  /// A second column of the same meaning: a note if it says the same, a fault if it does not.
+  void look_at_twins() {
+    const ColumnNames& own = m_options.columns;
+    const std::tuple<const char*, const std::string*, Table::Column> roles[] = {{"t", &own.t, m_table.t},
+                                                                                {"frame", &own.frame, m_table.frame},
+                                                                                {"x", &own.x, m_table.x},
+                                                                                {"y", &own.y, m_table.y}};
+    for (const auto& [key, named, column] : roles) {
+      if (!column || !named->empty() || m_table.header.empty()) continue;
+      const ColumnTitle title = column_title(m_table.name(column));
+      for (std::size_t c = 0; c < m_table.header.size(); ++c) {
+        const ColumnTitle other = column_title(m_table.header[c]);
+        const auto size = time_unit(title.unit), other_size = time_unit(other.unit);
+        const bool time = column == m_table.t && size && other_size && names_time(other.name);
+        if (c == *column || !(time || (title.name == other.name && title.unit == other.unit))) continue;
+        compare(key, *column, c, time ? *other_size / *size : 1.0);
+      }
+    }
+  }
+
+  /// @param scale  of the other column, in the unit of the first
+  void compare(const char* key, std::size_t column, std::size_t other, double scale) {
+    constexpr double same = 0.05; // of the range
+    std::optional<std::pair<double, double>> first;
+    double range = 0.0, worst = 0.0;
+    const SheetRow* where = nullptr;
+    for (const SheetRow& row : m_table.rows) {
+      const auto a = value(row, column), b = number_of(field(row, other), m_signs);
+      if (!a || !b) continue;
+      if (!first) first = {*a, scale * *b};
+      range = std::max(range, std::abs(*a - first->first));
+      if (const double off = std::abs((*a - first->first) - (scale * *b - first->second)); off > worst) {
+        worst = off;
+        where = &row;
+      }
+    }
+    const std::string name = m_table.name(column), second = m_table.name(other);
+    const std::string both = name == second ? name + " stands there twice" : name + " and " + second;
+    if (where != nullptr && worst > same * range)
+      m_findings.fault(
+          where->line,
+          fmt::format("{}{} contradict each other, {} and {}: name the right one, {}", both,
+                      name == second ? ", and the two" : "", field(*where, column), field(*where, other),
+                      m_options.say("columns", fmt::format("\"{}={}\"", key,
+                                                           name == second ? std::to_string(column + 1) : name))));
+    else if (first)
+      m_findings.note(fmt::format("{}{} say the same", both, name == second ? "; both" : ""));
   }
 
   /// @return false if a tracker has made the position of this row up
@@ -194,7 +227,14 @@ private:
     if (m_table.z) m_heights.insert(field(row, m_table.z));
     if (!x || !y || !t || !frame) return;
     const auto [own, added] = m_numbers.emplace(name, m_spots.names.size());
-    if (added) m_spots.names.push_back(name);
+    if (added) {
+      m_spots.names.push_back(name);
+      m_last.push_back(*t);
+    }
+    if (m_clock.runs && m_clock.origin == 0.0 && *t < m_last[own->second] - half_a_day)
+      m_findings.fault(row.line, fmt::format("{}: times of the clock go over midnight: write them with the date",
+                                             m_table.name(m_table.t)));
+    m_last[own->second] = *t;
     m_spots.spots.push_back({.track = own->second, .t = *t, .frame = *frame, .x = *x, .y = *y, .line = row.line});
   }
 
@@ -236,9 +276,9 @@ private:
   Spots finished(const std::vector<std::size_t>& movies) {
     m_spots.layout = m_table.layout;
     m_spots.separator = m_table.separator;
-    m_spots.decimal_comma = m_comma;
+    m_spots.decimal_comma = m_signs.decimal == ',';
     if (m_spots.length_unit.empty()) m_spots.length_unit = m_table.x_unit;
-    m_spots.time_unit = m_table.t_unit;
+    m_spots.time_unit = m_clock.runs ? "s" : m_table.t_unit;
     const auto name = [this](Table::Column column) { return m_table.name(column); };
     m_spots.columns = {.track = name(m_table.track),
                        .t = name(m_table.t),
@@ -252,13 +292,16 @@ private:
   }
 
   const Table& m_table;
+  const TrackOptions& m_options;
   Findings& m_findings;
+  NumberSigns m_signs;
+  Clock m_clock;
   Spots m_spots;
   std::map<std::string, std::size_t> m_numbers; ///< of tracks, by their names
+  std::vector<double> m_last;                   ///< time of each track so far
   std::set<std::string> m_heights;
   std::set<std::string> m_no_tracks; ///< ids
   std::size_t m_loose = 0;
-  bool m_comma = false;
 };
 
 } // namespace
@@ -270,7 +313,7 @@ Spots table_spots(std::string_view text, const TrackOptions& options, Findings& 
     findings.fault(0, "has a header, but no rows");
     return {};
   }
-  return SpotReader(*table, findings).spots();
+  return SpotReader(*table, options, findings).spots();
 }
 
 } // namespace matrigrate::tracks
