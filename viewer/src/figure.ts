@@ -3,7 +3,7 @@ import Plotly from "plotly.js-cartesian-dist-min";
 import { h, isDark, onDarkMode } from "./dom";
 import { roundStep } from "./numbers";
 import { onPrint } from "./paper";
-import { lettered, typeset, units, wrapped } from "./words";
+import { lettered, typeset, units, unmarked, wrapped } from "./words";
 
 export type Json = Record<string, unknown>;
 
@@ -90,7 +90,7 @@ export function figure(
     style: `height:${typeof height === "number" ? height : height(innerWidth)}px`,
   });
   plot.setAttribute("role", "img");
-  plot.setAttribute("aria-label", caption);
+  plot.setAttribute("aria-label", unmarked(caption));
   const element = h("figure", {}, plot, h("figcaption", {}, ...lettered(caption)));
   let seen = false;
   const draw = () => {

@@ -18,20 +18,34 @@ const letter = `(?:${Object.keys(greek).join("|")}|[A-Za-z])`;
 /** "f_mat", "tau_prot", "r_off,min"; not counts such as n_protrusions. */
 const symbolPattern = new RegExp(`(?<![\\w.])(?!n_(?!prot\\b))(${letter})_([A-Za-z0-9]+(?:[_,][A-Za-z0-9]+)*)(?![\\w.])`, "g");
 
+const marks = /[\ue000\ue001]/g;
+/** Text of the user within text of the program: in plots and on pages it stands as it is. */
+export const verbatim = (text: string): string => `\ue000${text.replace(marks, "")}\ue001`;
+/** Without the marks of `verbatim`: where nothing is typeset, as in lists to choose from. */
+export const unmarked = (text: string): string => text.replace(marks, "");
+
+type Part = string | { sign: string; below: string };
+
 /** The parts of a text: its plain ones, and a symbol with what stands below. */
-function parts(text: string): (string | { sign: string; below: string })[] {
-  const found: (string | { sign: string; below: string })[] = [];
-  let end = 0;
-  for (const match of text.matchAll(symbolPattern)) {
-    found.push(text.slice(end, match.index), { sign: greek[match[1]] ?? match[1], below: match[2].replaceAll("_", ",") });
-    end = match.index + match[0].length;
-  }
-  return [...found, text.slice(end)];
+function parts(text: string): Part[] {
+  return text.split(/\ue000([^\ue001]*)\ue001/).flatMap((stretch, i): Part[] => {
+    if (i % 2) return [stretch];
+    const found: Part[] = [];
+    let end = 0;
+    for (const match of stretch.matchAll(symbolPattern)) {
+      found.push(stretch.slice(end, match.index), { sign: greek[match[1]] ?? match[1], below: match[2].replaceAll("_", ",") });
+      end = match.index + match[0].length;
+    }
+    return [...found, stretch.slice(end)];
+  });
 }
 
-/** For plots: symbols with their index below the line. */
+/** What plotly would take for marks and for values of its templates, as text. */
+const literal = (text: string): string => text.replaceAll("&", "&amp;").replaceAll("<", "&lt;").replaceAll("%{", "%&#123;");
+
+/** For plots: symbols with their index below the line, everything else as it stands. */
 export const typeset = (text: string): string =>
-  parts(text).map((part) => (typeof part === "string" ? part : `${part.sign}<sub>${part.below}</sub>`)).join("");
+  parts(text).map((part) => (typeof part === "string" ? literal(part) : `${part.sign}<sub>${part.below}</sub>`)).join("");
 
 /** The same for a page. */
 export const lettered = (text: string): (string | HTMLElement)[] =>
@@ -71,18 +85,29 @@ export function titleOf(one: Named): string {
 /** A value of a parameter as a legend names it: "E = 50 Pa"; without a symbol by words. */
 export function settingOf(one: Named, value: number | string): string {
   const symbol = symbolOf(one);
-  return `${symbol ? `${symbol} =` : wordsOf(one)} ${value}${one.unit ? ` ${pretty(one.unit)}` : ""}`;
+  return `${symbol ? `${symbol} =` : wordsOf(one)} ${typeof value === "string" ? verbatim(value) : value}${one.unit ? ` ${pretty(one.unit)}` : ""}`;
 }
 
-/** A sentence of the program about points and read-outs, which it calls by code names, as plots name them: "E = 50 Pa", "(v_migr_abs)" with its index. */
+/** Text for a regular expression that finds it. */
+const found = (text: string): string => text.replace(/[.*+?^${}()|[\]\\]/g, "\\$&");
+
+/**
+ * A sentence of the program about points and read-outs, as plots name them. It calls settings by code names ("E = 50 Pa" here), read-outs by
+ * their labels, "(v_migr_abs)", and points by what their author calls them, which stays.
+ */
 export function said(text: string, axes: (Named & { values: (number | string)[] })[], readouts: Named[]): string {
-  let told = pretty(text);
-  for (const axis of axes.filter((one) => one.name.includes(".")))
-    for (const value of [...axis.values].reverse())
-      for (const name of [axis.name, axis.name.slice(axis.name.lastIndexOf(".") + 1), symbolOf(axis)])
-        if (name) told = told.replaceAll(`${name} ${value}${axis.unit ? ` ${pretty(axis.unit)}` : ""}`, settingOf(axis, value));
-  for (const one of readouts) told = told.replaceAll(` (${one.label})`, symbolOf(one) ? ` (${symbolOf(one)})` : "");
-  return told;
+  const shown = new Map<string, string>(); // by what stands there
+  for (const axis of axes)
+    for (const value of axis.values)
+      if (!axis.name.includes(".")) shown.set(String(value), verbatim(String(value)));
+      else
+        for (const name of [axis.name, axis.name.slice(axis.name.lastIndexOf(".") + 1), symbolOf(axis)])
+          if (name) shown.set(`${name} ${value}${axis.unit ? ` ${axis.unit}` : ""}`, settingOf(axis, value));
+  const longestFirst = [...shown.keys()].filter(Boolean).sort((a, b) => b.length - a.length).map((one) => `(?<![\\w.])${found(one)}(?!\\w|\\.\\d)`);
+  for (const one of readouts) shown.set(` (${one.label})`, symbolOf(one) ? ` (${symbolOf(one)})` : "");
+  const patterns = [...longestFirst, ...readouts.map((one) => found(` (${one.label})`))];
+  if (patterns.length === 0) return pretty(text);
+  return text.split(new RegExp(`(${patterns.join("|")})`)).map((part, i) => (i % 2 ? shown.get(part) : pretty(part))).join("");
 }
 
 /** The unit of a label of the program, "force [nN]", as axes have it: "force (nN)"; none of a ratio. */

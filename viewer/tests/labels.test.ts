@@ -7,7 +7,7 @@ import type { Browser, Page } from "playwright-core";
 import { sampleRun } from "../sample/run";
 import { sampleStudy } from "../sample/study";
 import { sampleVerdicts } from "../sample/verdicts";
-import { said, settingOf, symbolOf, titleOf, typeset, units, wordsOf } from "../src/words";
+import { said, settingOf, symbolOf, titleOf, typeset, units, unmarked, verbatim, wordsOf } from "../src/words";
 import type { StudyPage } from "../src/study/contract";
 import { allDrawn, launch, open } from "./browser";
 
@@ -78,6 +78,49 @@ test("a headline calls points and read-outs as the plots do", () => {
     typeset(said("Speed, start to end (v_migr_abs) is lowest, 8 um/h at youngs_modulus 50 Pa; protrusions initiated (n_protrusions) at youngs_modulus 5 Pa", axes, readouts)),
     "Speed, start to end (v<sub>migr,abs</sub>) is lowest, 8 \u00b5m/h at E = 50 Pa; protrusions initiated at E = 5 Pa",
   );
+});
+
+test("a headline names each of two forces that are equal, and numbers that begin alike", () => {
+  const axes = [
+    { name: "protrusion.force", label: "protrusion.force (F_prot)", meaning: "Growth force of a protrusion", unit: "nN", values: [0.2, 0.4] },
+    { name: "actomyosin.force", label: "actomyosin.force (F_am)", meaning: "Actomyosin force of a strand", unit: "nN", values: [0.2, 0.6] },
+    { name: "protrusion.number", label: "protrusion.number (n_prot)", meaning: "Target number", unit: "", values: [1, 12] },
+  ];
+  const headline = (text: string) => unmarked(said(text, axes, []));
+  assert.equal(
+    headline("lowest, 11.4 um/h at protrusion.force 0.2 nN, actomyosin.force 0.2 nN, and highest at protrusion.force 0.2 nN, actomyosin.force 0.6 nN."),
+    "lowest, 11.4 \u00b5m/h at F_prot = 0.2 nN, F_am = 0.2 nN, and highest at F_prot = 0.2 nN, F_am = 0.6 nN.",
+  );
+  assert.equal(headline("at actomyosin.force 0.2 nN, number 12, protrusion.force 0.2 nN, number 1."), "at F_am = 0.2 nN, n_prot = 12, F_prot = 0.2 nN, n_prot = 1.");
+  assert.equal(headline("12 of number 1 at myforce 0.2 nN"), "12 of n_prot = 1 at myforce 0.2 nN");
+});
+
+const odd = "a_b & <b>c</b> 50%{x} um $d$";
+
+test("text of the user stands as it is within text that is typeset", () => {
+  assert.equal(typeset(`${verbatim(odd)}, f_mat`), "a_b &amp; &lt;b>c&lt;/b> 50%&#123;x} um $d$, f<sub>mat</sub>");
+  assert.equal(unmarked(said(`at ${odd}, of 3 um`, [{ name: "point", label: "point", unit: "", values: [odd] }], [])), `at ${odd}, of 3 \u00b5m`);
+  assert.equal(typeset(settingOf({ name: "ecm.fields.youngs_modulus", label: "E", unit: "Pa" }, "E_x.csv")), "E = E_x.csv Pa");
+});
+
+test("labels of points stand as they are in plots, captions and lists", async () => {
+  const study = hypercube();
+  const labels = [odd, "_control", "f_mat", "$x_1$", "<i>e</i> &amp; um"];
+  study.axes[0].values = labels;
+  study.scatter = null;
+  study.summary = `Speed is lowest, 3 um/h at ${odd}, and highest at f_mat.`;
+  const { page, errors } = await open(browser, "study", JSON.stringify(study));
+  await allDrawn(page);
+  assert.deepEqual(await page.evaluate(() => [...document.querySelectorAll("#readouts .plotly-figure")].slice(0, 1).flatMap((one) => [...one.querySelectorAll(".xtick text")].map((text) => text.textContent))), labels);
+  const captions = await page.evaluate(() => [...document.querySelectorAll("#paths figcaption")].map((one) => one.innerHTML));
+  assert.ok(captions.some((text) => text.startsWith("a_b &amp; &lt;b&gt;c&lt;/b&gt; 50%{x} um $d$, n")), captions[0]);
+  assert.ok(captions.some((text) => text.startsWith("f_mat, n")), "no symbol");
+  assert.match((await page.locator("header .status").textContent()) ?? "", /3 \u00b5m\/h at a_b & <b>c<\/b> 50%\{x\} um \$d\$, and highest at f_mat\./);
+  const named = await page.evaluate(() => [...document.querySelectorAll(".plotly-figure")].map((one) => one.getAttribute("aria-label") ?? ""));
+  assert.ok(named.every((text) => !/[\ue000\ue001]/.test(text)));
+  assert.ok(!/[\ue000\ue001]/.test((await page.locator("body").innerText())), "no marks are seen");
+  assert.deepEqual(errors, []);
+  await page.context().close();
 });
 
 /** All that is written in and below the plots of a page, as lines of plain text. */

@@ -23,12 +23,17 @@ function named(values: RunPage["readouts"], caption: string): HTMLElement {
   );
 }
 
+/** A number with its unit as it is printed; texts, which are copied, stay, and are broken where they must be. */
+const quantity = (value: string): string | HTMLElement =>
+  /^-?[\d.]+(e[-+]?\d+)?( [A-Za-z1][\w/^ ]*)?$/.test(value) ? pretty(value) : h("code", { class: "long" }, value);
+
 function parameters(run: RunPage): Node {
-  if (run.parameters.length === 0)
-    return h("p", {}, "None: every parameter has the value of Table 1 or, where the paper gives none, of the program.");
+  const shown = run.parameters.filter((p) => !p.name.startsWith("laws.") || !run.laws?.length); // laws have their own section
+  if (shown.length === 0)
+    return h("p", {}, run.parameters.length > 0 ? "None but the laws above." : "None: every parameter has the value of Table 1 or, where the paper gives none, of the program.");
   return table(
     ["parameter", "value", "default", "meaning"],
-    run.parameters.map((p) => [h("code", {}, p.name), pretty(p.value), pretty(p.default), p.meaning]),
+    shown.map((p) => [h("code", {}, p.name), quantity(p.value), quantity(p.default), p.meaning]),
     { caption: "Changed parameters" },
   );
 }

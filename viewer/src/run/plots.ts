@@ -16,6 +16,8 @@ export interface Axis {
   high: number;
   label: string;
   ticks: number[];
+  /** What stands at a tick; else its number. */
+  text?: (tick: number) => string;
 }
 
 export interface Frame {
@@ -43,7 +45,7 @@ export function frame(width: number, height: number, xAxis: Axis, yAxis: Axis, l
   for (const v of yAxis.ticks) {
     svg.append(
       s("path", { class: "grid", d: `M${margin.left} ${y(v)}H${right}` }),
-      s("text", { x: margin.left - 7, y: y(v) + 4.5, "text-anchor": "end" }, readable(v)),
+      s("text", { x: margin.left - 7, y: y(v) + 4.5, "text-anchor": "end" }, (yAxis.text ?? readable)(v)),
     );
   }
   for (const v of xAxis.ticks)

@@ -4,7 +4,7 @@ import { h } from "../dom";
 import { pretty, readable } from "../numbers";
 import { brackets, leastRuns, sign, starsNote, story, type Bracket, type Shown } from "./brackets";
 import { axis, figure, ink, wholeTicks, type Json } from "../figure";
-import { capital, lettered, titleOf, typeset } from "../words";
+import { capital, lettered, titleOf, typeset, unmarked } from "../words";
 import { groupAt, seriesColour, values, type Grid, type Group } from "./groups";
 
 /** The summary of a read-out at the point of a group, as the program computed it. */
@@ -22,7 +22,7 @@ export const boxesNote = `Boxes, of ${leastForBox} runs or more: median and quar
 
 /** Height that the labels of the columns and the title below them need [pixels]: turned labels need their length. */
 function labelRoom(columns: string[], width: number): number {
-  const longest = 7 * Math.max(...columns.map((label) => label.length));
+  const longest = 7 * Math.max(...columns.map((label) => unmarked(label).length));
   return 60 + (columns.length * longest > Math.min(width, 560) - 120 ? longest : 0);
 }
 
@@ -134,7 +134,7 @@ export function boxes(study: StudyData, made: Grid, readout: StudyReadout, show:
       x: bars.map((b) => 0.5 * (b.from + b.to)),
       y: bars.map((b) => at(b) + 5 * pixel),
       text: bars.map((b) => sign(b.test)),
-      hovertext: bars.map((b) => story(b.test, made, readout.unit).join("<br>")),
+      hovertext: bars.map((b) => story(b.test, made, readout.unit).map(typeset).join("<br>")),
       hoverinfo: "text",
       textfont: { size: 13, color: colours.text },
     });
@@ -143,7 +143,7 @@ export function boxes(study: StudyData, made: Grid, readout: StudyReadout, show:
       layout: {
         xaxis: axis(made.axisTitle, {
           tickvals: made.columns.map((_, i) => i),
-          ticktext: made.columns,
+          ticktext: made.columns.map(typeset),
           range: [-0.6, made.columns.length - 0.4],
           showgrid: false,
           fixedrange: true,

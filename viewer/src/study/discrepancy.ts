@@ -1,7 +1,8 @@
-/** Factor sets by their discrepancy from targets. */
+/** Sets of parameters by their discrepancy from targets. */
 import type { StudyPage } from "./contract";
 import { h, table } from "../dom";
-import { pretty, readable } from "../numbers";
+import { readable } from "../numbers";
+import { lettered, said, titleOf, verbatim } from "../words";
 
 const percent = (confidence: number): string => `${readable(100 * confidence, 3)} %`;
 
@@ -12,21 +13,23 @@ const distance = (z: number | null): HTMLElement | string =>
 export function sets(study: StudyPage): HTMLElement | null {
   const found = study.discrepancy;
   if (!found) return null;
-  const label = (name: string) => study.readouts.find((r) => r.name === name)?.label ?? name;
-  const heads = found.targets.map((t) =>
-    pretty(`z ${label(t.readout)}${t.condition ? ` at ${t.condition}` : ""}: ${t.target.replace("+-", "\u00b1")}${t.weight === 1 ? "" : `, weight ${readable(t.weight, 3)}`}`),
+  const titled = (name: string) => titleOf(study.readouts.find((r) => r.name === name) ?? { name, label: name, unit: "" });
+  const target = (text: string) => text.replace("+-", "\u00b1").replace(/-?\d+\.\d{4,}(e-?\d+)?/g, (digits) => readable(Number(digits)));
+  const heads = found.targets.map(
+    (t) => `z of ${titled(t.readout)}${t.condition ? ` at ${verbatim(t.condition)}` : ""}, target ${target(t.target)}${t.weight === 1 ? "" : `, weight ${readable(t.weight, 3)}`}`,
   );
+  const words = (text: string) => h("span", {}, ...lettered(said(text, study.axes, study.readouts)));
   const count = found.targets.length;
   const short = found.sets.some((set) => set.judged < count || set.undefined > 0);
   const body = found.sets.map((set) => [
-    h("span", {}, pretty(set.label), set.settings && set.settings !== set.label ? h("div", { class: "settings" }, pretty(set.settings)) : null),
+    h("span", {}, words(set.label), set.settings && set.settings !== set.label ? h("div", { class: "settings" }, words(set.settings)) : null),
     readable(set.discrepancy, 3),
     set.interval ? `${readable(set.interval[0], 3)} to ${readable(set.interval[1], 3)}` : "\u2013",
     `${set.judged} of ${count}`,
     ...(short ? [String(set.undefined)] : []),
     ...set.z.map(distance),
   ]);
-  const named = ["factors", "discrepancy", `${percent(found.confidence)} interval`, "targets judged", ...(short ? ["values not defined"] : [])];
+  const named = ["parameters", "discrepancy", `${percent(found.confidence)} interval`, "targets judged", ...(short ? ["values not defined"] : [])];
   return h(
     "div",
     {},
@@ -36,7 +39,7 @@ export function sets(study: StudyPage): HTMLElement | null {
       "Discrepancy: D = \u221a(\u03a3 w z\u00b2 / \u03a3 w) over targets, z = (our mean \u2212 target) / \u221a(error\u00b2 + our standard error\u00b2), 0 within a range and counted from its nearer end outside. Its interval is by the bootstrap over replicates. A target with fewer than two finished runs that have a value is not judged; sets that all targets judge come first. Strong: |z| > 2.",
     ),
     table([...named, ...heads], body, {
-      caption: "Factor sets by discrepancy",
+      caption: "Sets of parameters by discrepancy",
       numeric: [...named, ...heads].map((_, i) => i).slice(1),
     }),
   );

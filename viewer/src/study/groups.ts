@@ -2,7 +2,7 @@
 import { palette, paletteOnDark } from "../colour";
 import type { GridPoint, StudyAxis, StudyData, StudyRun } from "./contract";
 import { h, isDark } from "../dom";
-import { lettered, settingOf, titleOf } from "../words";
+import { lettered, settingOf, titleOf, verbatim } from "../words";
 
 export interface Group {
   point: GridPoint;
@@ -54,12 +54,12 @@ export function grid(study: StudyData, main: number): Grid {
   for (const a of study.axes) points = points.flatMap((p) => a.values.map((_, i) => [...p, i]));
   const seriesOf = (p: GridPoint) =>
     others
-      .map((i) => (isNamed(study.axes[i]) ? String(study.axes[i].values[p[i]]) : settingOf(study.axes[i], study.axes[i].values[p[i]])))
+      .map((i) => (isNamed(study.axes[i]) ? verbatim(String(study.axes[i].values[p[i]])) : settingOf(study.axes[i], study.axes[i].values[p[i]])))
       .join(", ");
   const series = [...new Set(points.map(seriesOf))];
   const width = 0.8 / series.length;
-  const columns = axis ? axis.values.map(String) : [""];
-  const columnLabels = axis ? (isNamed(axis) ? columns : columns.map((value) => settingOf(axis, value))) : ["all runs"];
+  const columns = axis ? axis.values.map((value) => (isNamed(axis) || typeof value === "string" ? verbatim(String(value)) : String(value))) : [""];
+  const columnLabels = axis ? (isNamed(axis) ? columns : axis.values.map((value) => settingOf(axis, value))) : ["all runs"];
   const groups = points.map((point): Group => {
     const column = axis ? point[main] : 0;
     const k = series.indexOf(seriesOf(point));

@@ -50,8 +50,8 @@ function show(study: StudyPage, page: HTMLElement): void {
         claims(study),
         study.claims_note ? h("p", { class: "notice" }, pretty(study.claims_note)) : null,
       ),
-      part("sets", "Factor sets by discrepancy", sets(study)),
-      part("scatter", "Read-outs over factors", scatters(study)),
+      part("sets", "Sets of parameters by discrepancy", sets(study)),
+      part("scatter", "Read-outs over parameters", scatters(study)),
       study.readouts.length > 0 && !study.scatter?.factors.length
         ? section(
             "readouts",

@@ -5,12 +5,14 @@ import { pretty } from "../numbers";
 import { onPrint } from "../paper";
 import { SharedScales } from "../run/matrix/shared";
 import { commonClock, runView, type RunView } from "../run/view";
+import { said, unmarked } from "../words";
 
 /** Unpacked when it comes near the window, or when the browser has nothing else to do, so that it can be printed. */
 export function players(study: StudyPage, safe: (address: string | null) => string | null): HTMLElement | null {
   const all = study.players ?? [];
   if (all.length === 0) return null;
-  const options = () => all.map((p, i) => h("option", { value: i }, p.label));
+  const labels = all.map((p) => unmarked(said(p.label, study.axes, study.readouts)));
+  const options = () => labels.map((label, i) => h("option", { value: i }, label));
   const choice = h("select", { "aria-label": "Run" }, ...options());
   const other = h("select", { name: "beside" }, h("option", { value: "" }, "none"), ...options());
   const place = h("div", { class: "chosen-run" });
@@ -49,7 +51,7 @@ export function players(study: StudyPage, safe: (address: string | null) => stri
       h(
         "div",
         { class: "beside" },
-        ...views.map((view, k) => h("div", {}, h("h3", {}, both[k].label), about(both[k]), ...view.parts)),
+        ...views.map((view, k) => h("div", {}, h("h3", {}, labels[all.indexOf(both[k])]), about(both[k]), ...view.parts)),
       ),
     );
   };

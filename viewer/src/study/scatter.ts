@@ -1,10 +1,10 @@
-/** Each read-out over each factor, of a design that is no grid. */
+/** Each read-out over each parameter, of a design that is no grid. */
 import { axis, figure, ink, logAxis, wholeTicks, type Json } from "../figure";
 import { h } from "../dom";
 import { pretty, pText, readable } from "../numbers";
 import type { StudyPage } from "./contract";
 import { seriesColour } from "./groups";
-import { capital, settingOf, titleOf, typeset, wordsOf } from "../words";
+import { capital, settingOf, titleOf, typeset, verbatim, wordsOf } from "../words";
 
 /** How far the ranks of values are from even steps between the ends. */
 function unevenness(values: number[]): number {
@@ -44,7 +44,7 @@ export function scatters(study: StudyPage): HTMLElement | null {
           return {
             type: "scatter",
             mode: "markers",
-            name: typeset(condition),
+            name: typeset(verbatim(condition)),
             x: mine.map((r) => r.x),
             y: mine.map((r) => r.y),
             marker: { color: seriesColour(k), size: 7, opacity: 0.75 },

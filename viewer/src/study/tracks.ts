@@ -4,7 +4,7 @@ import { h, isDark, s } from "../dom";
 import { countOf, durationOf, measuredColour, measuredTracks, type MeasuredTrack } from "../measured";
 import { readable, roundStep } from "../numbers";
 import { axis, figure } from "../figure";
-import { lettered } from "../words";
+import { lettered, unmarked } from "../words";
 import { inRows, multipleSide, multiplesStyle, seriesColour, type Grid, type Group } from "./groups";
 
 /** One line for each cell. */
@@ -134,7 +134,7 @@ export function shapes(made: Grid): HTMLElement | null {
         viewBox: `0 0 ${across * side} ${down * side + 0.12 * side + text}`,
         class: "shapes",
         role: "img",
-        "aria-label": `Shapes at the end, ${g.label}`,
+        "aria-label": `Shapes at the end, ${unmarked(g.label)}`,
       });
       cells.forEach((r, i) => {
         if (!r.outline) return;
