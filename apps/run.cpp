@@ -85,13 +85,12 @@ int run_scenario(const RunArguments& options) {
 
 void add_run(CLI::App& app, Action& chosen, std::vector<std::string> command_line) {
   CLI::App* verb =
-      app.add_subcommand("run", "Simulate a cell, or several; write tracks, protrusions, read-outs and pictures");
+      app.add_subcommand("run", "Simulate a cell, or several; write tracks, protrusions, read-outs and a page");
   verb->footer(
       "Writes scenario.resolved.toml, run.json, tracks.csv, protrusions.csv, health.csv, msd.csv, summary.csv, "
       "group.csv\n"
-      "(of several cells), summary.json, snapshots/t_<seconds>s.svg, snapshots.svg, report.html, the frames in\n"
-      "fields.h5 and fields.xdmf (fields.part while it runs), and the exact state in checkpoint.h5,\n"
-      "checkpoint_prev.h5 and checkpoints/. Rows are written as they come. Running scenario.resolved.toml again gives\n"
+      "(of several cells), summary.json, report.html, the frames in fields.h5 and fields.xdmf (fields.part while it\n"
+      "runs), and the exact state in checkpoint.h5, checkpoint_prev.h5 and checkpoints/. Rows are written as they come. Running scenario.resolved.toml again gives\n"
       "the same bits, and so the same trajectory_hash in run.json.\n"
       "A folder that holds the same scenario and seed is resumed from its checkpoint, to the same bits as without the\n"
       "break; one that is done is left as it is. A folder that holds another run is refused, naming the parameters\n"

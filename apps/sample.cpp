@@ -134,7 +134,7 @@ Request request_of(SampleArguments options) {
   if (!options.targets.empty()) collect(faults, [&] { request.targets = study::read_target_file(options.targets); });
   if (!faults.empty()) throw ConfigurationError(std::move(faults));
   OutputParameters& output = request.p.output; // what is written is removed
-  output.report = output.pictures = false;
+  output.report = false;
   output.checkpoint_interval = output.field_interval = 0.0;
   return request;
 }

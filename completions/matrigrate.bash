@@ -119,7 +119,7 @@ _matrigrate() {
   matrigrate_open)
     if [[ $cur == -* ]]; then COMPREPLY=($(compgen -W "--help --print" -- "$cur")); else _matrigrate_files -d; fi ;;
   matrigrate_export)
-    if [[ $cur == -* ]]; then COMPREPLY=($(compgen -W "--help --vtk --fields --tracks --openvt --times --simularium --ome-tiff --pixel --svg --png --panel --movie --fps --seconds --size --follow --whole --layer --output --force" -- "$cur")); else _matrigrate_files -d; fi ;;
+    if [[ $cur == -* ]]; then COMPREPLY=($(compgen -W "--help --fields --tracks --openvt --times --simularium --ome-tiff --pixel --png --panel --movie --fps --seconds --size --follow --whole --layer --output --force" -- "$cur")); else _matrigrate_files -d; fi ;;
   matrigrate_diff)
     if [[ $cur == -* ]]; then COMPREPLY=($(compgen -W "--help --json" -- "$cur")); else COMPREPLY=(); fi ;;
   matrigrate_study)

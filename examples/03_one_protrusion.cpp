@@ -5,8 +5,7 @@
 /// Libraries Matrigrate::simulation, Matrigrate::draw (the picture)
 #include "base/file.hpp"
 #include "cell/geometry.hpp"
-#include "draw/cell_picture.hpp"
-#include "observe/cell_scene.hpp"
+#include "draw/particle_picture.hpp"
 #include "protrusion/growth.hpp"
 #include "protrusion/initiation.hpp"
 #include "simulation/simulation.hpp"
@@ -43,8 +42,12 @@ int main(int argc, char** argv) {
   const Protrusion& grown = cell.protrusions.at(0);
   fmt::print("{} since {:.1f} s, l_prot = {:.2f} um\n", name(grown.phase), grown.since, grown.record.length);
   if (argc > 1) {
-    const observe::CellScene scene = observe::cell_scene(s, p, {});
-    write_file(argv[1], draw::cell_picture(scene, observe::surroundings({&scene, 1}, 10.0)));
+    const draw::ParticlePicture picture{.title = "A protrusion and the matrix that it has degraded",
+                                        .value_label = "intact matrix, f_degr: 0 fluid, 1 intact",
+                                        .position = s.ecm.x,
+                                        .value = s.ecm.f,
+                                        .outlines = {cell.cortex.x}};
+    write_file(argv[1], draw::to_svg(picture));
   }
   return grown.record.length > 25.0 && grown.record.length < 30.0 ? 0 : 1;
 }

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Draws docs/images/gallery.png: six cells after six hours (soft, stiff, one and four protrusions, fibres, a branch that
-# becomes stiff at 3 h), each from the last snapshot of a run, in one row. Takes some minutes; needs chromium.
+# becomes stiff at 3 h), each from the last frame of a run, in one row. Takes some minutes; needs chromium and node.
 #   tools/gallery.sh PROGRAM
 set -euo pipefail
 program=$(realpath "$1")
@@ -13,12 +13,14 @@ for preset in soft stiff one-protrusion four-protrusions two-protrusions-fibres 
   "$program" run $preset.toml --seed 4 -o $preset --quiet >/dev/null
 done
 "$program" resume baseline --at "3 h" --set ecm.youngs_modulus="400 Pa" -o branch --quiet >/dev/null
+for run in soft stiff one-protrusion four-protrusions two-protrusions-fibres branch; do
+  "$program" export $run --png --times "6 h" --layer degradation --whole --size 600x600 -o $run-picture >/dev/null
+done
 {
   echo '<!doctype html><style>body{margin:0;display:flex;background:#fff;font:17px/1.3 sans-serif;color:#1f2328}'
-  echo 'figure{margin:4px;width:312px}div{width:312px;height:300px;overflow:hidden;position:relative}'
-  echo 'img{position:absolute;width:380px;left:-34px;top:-53px}figcaption{text-align:center}</style>'
+  echo 'figure{margin:4px}img{width:312px}figcaption{text-align:center}</style>'
   while IFS='|' read -r run caption; do
-    echo "<figure><div><img src=\"$run/snapshots/t_21600s.svg\"></div><figcaption>$caption</figcaption></figure>"
+    echo "<figure><img src=\"$run-picture/frame_0072.svg\"><figcaption>$caption</figcaption></figure>"
   done <<END
 soft|soft matrix, 50 Pa
 stiff|stiff matrix, 400 Pa

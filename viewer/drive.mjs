@@ -1,7 +1,7 @@
 // Drives a browser without a window through its debugging pipe. The program contains this file (cmake/pages.cmake) and
 // calls it, so that the page of a run draws what `matrigrate export` writes; tools/figures.mjs uses Browser too.
 //   node drive.mjs JOB     a JSON file: {"browser": PROGRAM, "folder": FOLDER, "scale": 1, "show": {},
-//                          "movie": {} or "frames": [] or "panel": []}; FOLDER has page.html, and made/ for the results
+//                          "movie": {} or "frames": [[number, time]] or "panel": []}; FOLDER has page.html, and made/ for the results
 // Needs Node.js 18 and no packages.
 import { spawn } from "node:child_process";
 import { once } from "node:events";
@@ -142,7 +142,7 @@ async function draw({ browser: program, folder, show, scale, movie: film, frames
     for (const one of pages) await one(`matrigrate.ready.then(() => matrigrate.show(${JSON.stringify(show)}))`);
     const made = join(folder, "made");
     if (film) await movie(pages, film, made);
-    for (const [k, time] of (frames ?? []).entries()) {
+    for (const [k, time] of frames ?? []) {
       const name = join(made, `frame_${String(k).padStart(4, "0")}`);
       writeFileSync(`${name}.png`, await picture(pages[0], time, "png"));
       writeFileSync(`${name}.svg`, await pages[0](`matrigrate.svg(${time})`));

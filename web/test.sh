@@ -25,7 +25,7 @@ native=()
 if [ -x "$program" ]; then
   say "the baseline for half an hour, natively"
   "$program" new "$work/baseline.toml" >/dev/null
-  "$program" run "$work/baseline.toml" -o "$work/run" --hours 0.5 --set output.report=false --set output.pictures=false --quiet
+  "$program" run "$work/baseline.toml" -o "$work/run" --hours 0.5 --set output.report=false --quiet
   native=("$work/run")
   compared=(--program "$program" --native "$work/run")
 else

@@ -79,9 +79,10 @@ json movie(const run::FinishedRun& run, const DrawnOptions& options) {
           {"fps", options.fps}};
 }
 
-json times_of(const run::FinishedRun& run) {
+/// Number and time of each frame.
+json numbered(const run::FinishedRun& run, const std::vector<std::size_t>& frames) {
   json times = json::array();
-  for (const observe::Frame& frame : run.film.frames) times.push_back(frame.t);
+  for (const std::size_t k : frames) times.push_back({k, run.film.frames[k].t});
   return times;
 }
 
@@ -186,7 +187,7 @@ void export_drawn(const run::FinishedRun& run, const DrawnKinds& kinds, const Dr
   write_file(scratch.path / "drive.mjs", drive_script());
   write_file(scratch.path / "page.html", report_of(run, run_page_template()));
   std::vector<json> jobs;
-  if (kinds.frames) jobs.push_back(job(options, "displacement", "frames", times_of(run)));
+  if (kinds.frames) jobs.push_back(job(options, "displacement", "frames", numbered(run, options.frames)));
   if (kinds.panel) jobs.push_back(job(options, "displacement", "panel", options.panel_times));
   if (kinds.movie) jobs.push_back(job(options, "degradation", "movie", movie(run, options)));
   for (json& one : jobs) {

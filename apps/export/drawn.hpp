@@ -2,6 +2,7 @@
 
 #include "run/finished_run.hpp"
 
+#include <cstddef>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -18,6 +19,7 @@ struct DrawnOptions {
   double fps = 30.0;                   ///< pictures a second
   std::optional<double> movie_seconds; ///< by default one for 15 min of the run
   std::vector<double> panel_times;     ///< of panel.svg [s]
+  std::vector<std::size_t> frames;     ///< numbers of those that are drawn
 };
 
 /// What to draw.

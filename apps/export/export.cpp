@@ -6,11 +6,8 @@
 #include "apps/verbs.hpp"
 #include "base/failure.hpp"
 #include "base/file.hpp"
-#include "draw/cell_picture.hpp"
-#include "draw/particle_picture.hpp"
 #include "exchange/ome_tiff.hpp"
 #include "exchange/simularium.hpp"
-#include "exchange/vtk_files.hpp"
 #include "observe/even_times.hpp"
 #include "parameters/units.hpp"
 #include "run/finished_run.hpp"
@@ -25,6 +22,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <functional>
 #include <iterator>
 #include <map>
@@ -41,20 +39,30 @@ struct ExportArguments {
   std::string folder;
   std::string output;
   std::string panel; ///< times; empty: no panel
-  std::string times; ///< of --openvt; empty: all
+  std::string times; ///< of --openvt and --png; empty: all
   std::string pixel; ///< of --ome-tiff; empty: the spacing of the particles
   DrawnOptions drawn;
-  std::map<std::string, bool, std::less<>> wanted; ///< by the option of the kind: "--vtk"
+  std::map<std::string, bool, std::less<>> wanted; ///< by the option of the kind: "--png"
   bool force = false;
 };
 
+/// What earlier versions exported, and what stands for it.
+constexpr std::array<std::pair<std::string_view, std::string_view>, 2> gone_kinds{{
+    {"--svg", "--panel \"0 h, 1 h, 3 h\" draws frames side by side as SVG, --png each frame as PNG and SVG, and in Python "
+              "matrigrate.plot.path the path"},
+    {"--vtk", "ParaView and PyVista open fields.xdmf of the run; --fields writes it of a run that is not done yet"},
+}};
+
+/// @throws UsageError if nothing is wanted, or what has gone, naming what stands for it
 std::vector<ExportKind> wanted_kinds(const ExportArguments& options) {
+  for (const auto& [option, instead] : gone_kinds)
+    if (options.wanted.find(option)->second) throw UsageError(fmt::format("{}: has gone: {}", option, instead));
   std::vector<ExportKind> kinds;
   std::ranges::copy_if(export_kinds(), std::back_inserter(kinds),
                        [&](const ExportKind& kind) { return options.wanted.find(kind.option)->second; });
   if (kinds.empty())
-    throw UsageError("say what to export: --vtk, --fields, --tracks, --openvt, --simularium, --ome-tiff, --svg, --png, "
-                     "--movie or --panel");
+    throw UsageError("say what to export: --fields, --tracks, --openvt, --simularium, --ome-tiff, --png, --movie "
+                     "or --panel");
   return kinds;
 }
 
@@ -117,20 +125,6 @@ double pixel_of(const std::string& text, const observe::FrameHead& head) {
   return pixel;
 }
 
-/// The contact sheet and the paths of the cells.
-void export_svg(const FinishedRun& run, const std::filesystem::path& to) {
-  write_file(to / "contact_sheet.svg", draw::contact_sheet(run.memory.scenes));
-  draw::ParticlePicture path{.title = "Path of the centre of mass, from ring to dot", .value_label = "time (h)"};
-  for (const CellResult& cell : run.cells) {
-    path.path_begin.push_back(path.position.size());
-    for (const TrackRow& row : cell.rows) {
-      path.position.push_back(row.centre);
-      path.value.push_back(row.t / 3600.0);
-    }
-  }
-  write_file(to / "path.svg", draw::to_svg(path));
-}
-
 std::filesystem::path output_of(const ExportArguments& options) {
   return options.output.empty() ? std::filesystem::path(options.folder) / "export"
                                 : std::filesystem::path(options.output);
@@ -179,7 +173,8 @@ int export_run(ExportArguments options) {
   auto& wanted = options.wanted;
   wanted["--panel"] = !options.panel.empty();
   const std::vector<ExportKind> kinds = wanted_kinds(options);
-  if (!options.times.empty() && !wanted["--openvt"]) throw UsageError("--times: is for --openvt");
+  if (!options.times.empty() && !wanted["--openvt"] && !wanted["--png"])
+    throw UsageError("--times: is for --openvt and --png; --panel takes its times itself: --panel \"0 h, 3 h\"");
   if (!options.pixel.empty() && !wanted["--ome-tiff"]) throw UsageError("--pixel: is for --ome-tiff");
   const bool only_tracks = std::ranges::all_of(
       kinds, [](const ExportKind& kind) { return kind.option == "--tracks" || kind.option == "--openvt"; });
@@ -188,12 +183,13 @@ int export_run(ExportArguments options) {
   const DrawnKinds drawn{.movie = wanted["--movie"], .frames = wanted["--png"], .panel = wanted["--panel"]};
   const FinishedRun run = read_run(options.folder);
   require_drawable(run, options.drawn);
-  if (wanted["--vtk"] || wanted["--fields"] || wanted["--simularium"] || wanted["--ome-tiff"] || drawn.any()) {
+  if (wanted["--fields"] || wanted["--simularium"] || wanted["--ome-tiff"] || drawn.any()) {
     require_frames(run, options.folder);
     tell_lost_frames(run);
   }
   if (wanted["--simularium"]) require_even_frames(run, options.folder);
-  if (drawn.panel) options.drawn.panel_times = frames_at(run, options.panel);
+  if (drawn.panel) options.drawn.panel_times = panel_times(run, options.panel);
+  if (drawn.frames) options.drawn.frames = frames_at(run, times);
   if (drawn.any()) require_drawing_tools(drawn);
   std::vector<exchange::RunTracks> tracks{single_run(run)};
   if (wanted["--openvt"]) tracks = at_times(std::move(tracks), times);
@@ -201,7 +197,6 @@ int export_run(ExportArguments options) {
   const std::string title = run_title(run.p, scenario_name(run.record, run.folder));
   const std::filesystem::path to = output_of(options);
   prepare(to, kinds, options.force);
-  if (wanted["--vtk"]) exchange::write_vtk(to, run.film);
   if (wanted["--fields"]) export_fields(run, to);
   if (wanted["--tracks"]) write_tracks(run, to);
   if (wanted["--openvt"]) write_openvt(tracks, openvt_model(run), to);
@@ -209,7 +204,6 @@ int export_run(ExportArguments options) {
     write_file(to / "run.simularium", exchange::simularium(run.film, run.memory.rows, title, version_text()));
   if (wanted["--ome-tiff"])
     write_file(to / "fields.ome.tif", exchange::ome_tiff(run.film, pixel, title, version_text()));
-  if (wanted["--svg"]) export_svg(run, to);
   export_drawn(run, drawn, options.drawn, to);
   print(fmt::format("exported to {}\n", to.string()));
   return done;
@@ -219,10 +213,10 @@ int export_run(ExportArguments options) {
 
 void add_export(CLI::App& app, Action& chosen) {
   CLI::App* verb = app.add_subcommand(
-      "export", "Write a run in other formats: VTK, tracks, figures, a movie; of a study, its tracks");
+      "export", "Write a run in other formats: tracks, fields, figures, a movie; of a study, its tracks");
   verb->footer(
       "Adds to what the folder holds: several kinds may be exported one after the other.\n"
-      "fields.h5 with fields.xdmf opens in ParaView as it is; --vtk is for programs that read neither.\n"
+      "fields.h5 with fields.xdmf opens in ParaView as it is.\n"
       "celltrackR: read.tracks.csv(\"tracks_celltrackr.csv\", sep = \",\", pos.columns = 3:4).\n"
       "Of a study, --tracks writes the tracks of all finished runs: tracks.csv as those of the runs, tracks_spots.csv\n"
       "for CellTracksColab, TrackMate and celltrackR, and tracks_tracks.csv, a row per track, for CellTracksColab\n"
@@ -232,8 +226,8 @@ void add_export(CLI::App& app, Action& chosen) {
       "pressure and fibre_von_mises, and those that the scenario gives the matrix, such as youngs_modulus.");
   const auto options = std::make_shared<ExportArguments>();
   verb->add_option("DIR", options->folder, "Folder of a run; for --tracks and --openvt also of a study")->required();
-  verb->add_flag("--vtk", options->wanted["--vtk"],
-                 "Files for each frame of matrix, outline and anchors (.vtp), and their times (.pvd)");
+  for (const auto& [option, instead] : gone_kinds)
+    verb->add_flag(std::string(option), options->wanted[std::string(option)])->group("");
   verb->add_flag("--fields", options->wanted["--fields"],
                  "fields.h5 and fields.xdmf for ParaView, also of a run that is not done yet");
   verb->add_flag("--tracks", options->wanted["--tracks"],
@@ -241,15 +235,14 @@ void add_export(CLI::App& app, Action& chosen) {
   verb->add_flag("--openvt", options->wanted["--openvt"],
                  "The positions of cells as OpenVT's table, with its records of simulation and simulator (JSON)");
   verb->add_option("--times", options->times,
-                   "Of --openvt: \"every 10 min\", or \"0 h, 1 h, 3 h\" (default: all times of tracks.csv)");
+                   "Of --openvt and --png: \"every 10 min\", or \"0 h, 1 h, 3 h\" (default: all times)");
   verb->add_flag("--simularium", options->wanted["--simularium"],
                  "run.simularium for the viewer at simularium.allencell.org: cells, adhesions and matrix over time");
   verb->add_flag("--ome-tiff", options->wanted["--ome-tiff"],
                  "fields.ome.tif for Fiji and napari: the fields of all frames as a stack with times and scale");
   verb->add_option("--pixel", options->pixel,
                    "Of --ome-tiff: width of a pixel (default: the spacing of the particles, 2 um)");
-  verb->add_flag("--svg", options->wanted["--svg"], "The contact sheet and the path, for a publication");
-  verb->add_flag("--png", options->wanted["--png"], "One picture per frame");
+  verb->add_flag("--png", options->wanted["--png"], "A picture of each frame, as PNG and SVG: frame_0036.png");
   verb->add_option("--panel", options->panel,
                    "panel.svg for a publication: frames at these times side by side, \"0 h, 1 h, 3 h, 6 h\"");
   verb->add_flag("--movie", options->wanted["--movie"], "movie.mp4 of the player's view");

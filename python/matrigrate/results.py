@@ -1,8 +1,10 @@
 """Folders of runs."""
 from __future__ import annotations
 
+import base64
 import functools
 import html
+import io
 import math
 import os
 import tomllib
@@ -186,14 +188,27 @@ class Run:
         return f"Run({str(self.folder)!r}: {self.status}{until}, seed {self.seed})"
 
     def _repr_html_(self) -> str:
-        """In a notebook: the pictures of the run, and where its page is."""
+        """In a notebook: the last frame of the run, where there are frames and matplotlib, and where its page is."""
         said = [f"<p>{html.escape(repr(self))}</p>"]
-        sheet, page = self.folder / "snapshots.svg", self.folder / "report.html"
-        if sheet.is_file():
-            said.append(f'<div style="max-width: 760px; background: white">{sheet.read_text(encoding="utf-8")}</div>')
+        page = self.folder / "report.html"
+        if (self.folder / "fields.h5").is_file() and (picture := self._last_frame()):
+            said.append(f'<img src="data:image/png;base64,{picture}">')
         if page.is_file():
             said.append(f'<p><a href="{html.escape(page.as_posix())}">its page</a>, with the player</p>')
         return "\n".join(said)
+
+    def _last_frame(self) -> str:
+        """A picture as base64; "" without matplotlib."""
+        try:
+            from matplotlib.figure import Figure
+        except ImportError:
+            return ""
+        from . import plot
+
+        figure, file = Figure(figsize=(6.6, 5.6), layout="constrained"), io.BytesIO()
+        plot.frame(self, axes=figure.subplots())
+        figure.savefig(file, format="png")
+        return base64.b64encode(file.getvalue()).decode()
 
     @property
     def status(self) -> str:

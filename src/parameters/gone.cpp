@@ -12,6 +12,9 @@ namespace matrigrate {
 
 namespace {
 
+constexpr std::string_view no_snapshots =
+    "a run draws no snapshots: its page plays it, export --png and --panel draw frames, --layer chooses the layer";
+
 constexpr std::array parameters{
     Gone{"ecm.formulation", "ecm.thickness", "\"total_lagrangian\"", "",
          "the stress of the solid is summed over reference neighbours"},
@@ -40,6 +43,10 @@ constexpr std::array parameters{
     Gone{"cues.chemotaxis", "", "0", "", "laws.initiation_bias = \"exp({}*occupancy)\"", true},
     Gone{"cues.haptotaxis", "", "0", "", "laws.initiation_bias = \"exp({}*ligand)\"", true},
     Gone{"cues.guidance", "", "0", "", "laws.initiation_bias = \"exp({}*alignment)\"", true},
+    Gone{"output.snapshot_interval", "output.track_interval", "\"1800 s\"", "", no_snapshots, false, true},
+    Gone{"output.pictures", "output.report", "true", "", no_snapshots, false, true},
+    Gone{"output.displacement_layer", "output.pictures", "false", "", no_snapshots, false, true},
+    Gone{"output.fibre_stress_layer", "output.displacement_layer", "true", "", no_snapshots, false, true},
 };
 
 /// A value as it stands in a scenario file.
@@ -62,13 +69,14 @@ const Gone* find_gone(std::string_view path) {
 std::string gone_text(std::string_view value, const Gone& parameter) {
   if (parameter.is_law)
     return fmt::format("{} has gone: write {}", value, fmt::format(fmt::runtime(parameter.fate), value));
+  if (parameter.is_drawing) return fmt::format("{} has gone: {}", value, parameter.fate);
   return fmt::format("{} has gone: {}; the version of the tag closures-2 has the other readings", value,
                      parameter.fate);
 }
 
 std::string fault_of_gone(const Gone& parameter, const toml::node& value) {
   const std::string given = text_of(value);
-  return given == parameter.left ? "" : gone_text(given, parameter);
+  return parameter.is_drawing || given == parameter.left ? "" : gone_text(given, parameter);
 }
 
 } // namespace matrigrate

@@ -9,9 +9,10 @@
 #include <string>
 #include <string_view>
 
-/// Parameters that earlier versions had: readings of the paper that lost the choice of closures, and what laws say now.
-/// Of each one value is left, which is what the program does. Files that have it are read, and where it stood in the
-/// fingerprints of configurations it stays there, so that finished runs keep their names; another value is refused.
+/// Parameters that earlier versions had: readings of the paper that lost the choice of closures, what laws say now, and
+/// drawings that the program no longer makes. Of each one value is left, which is what the program does. Files that have
+/// it are read, and where it stood in the fingerprints of configurations it stays there, so that finished runs keep
+/// their names; another value is refused, but of drawings, which decide nothing.
 /// Test: tests/unit/parameters/earlier_test.cpp
 namespace matrigrate {
 
@@ -23,6 +24,7 @@ struct Gone {
   std::string_view before; ///< as Row::before; empty if all versions had it
   std::string_view fate;   ///< what the program does now; of what a law says: how to write it, {} for the value
   bool is_law = false;
+  bool is_drawing = false; ///< whose values are all read
 };
 
 std::span<const Gone> gone();

@@ -220,14 +220,10 @@ struct LawParameters {
 
 struct OutputParameters {
   double track_interval = 60.0;             ///< [s]
-  double snapshot_interval = 1800.0;        ///< [s]
   double checkpoint_interval = 600.0;       ///< of the checkpoint to resume from; 0: only when the run stops [s]
   double kept_checkpoint_interval = 3600.0; ///< of checkpoints that are kept, to branch from; 0: none [s]
   double field_interval = 300.0;            ///< of frames in fields.h5 and in the report's player; 0: none [s]
   bool report = true;                       ///< report.html
-  bool pictures = true;                     ///< snapshots and their contact sheet
-  bool displacement_layer = false;          ///< snapshots of the displacement of the matrix
-  bool fibre_stress_layer = true;           ///< snapshots of the von Mises stress of the fibres, where there are any
 };
 
 struct SolverParameters {

@@ -260,8 +260,6 @@ constexpr std::array rows{
 
     Row{"output.track_interval", [](Parameters& p) -> double& { return p.output.track_interval; }, "s", above(0, 1e9),
         "", chosen, "Time between rows of tracks.csv and health.csv"},
-    Row{"output.snapshot_interval", [](Parameters& p) -> double& { return p.output.snapshot_interval; }, "s", above(0, 1e9),
-        "", chosen, "Time between snapshots"},
     Row{"output.checkpoint_interval", [](Parameters& p) -> double& { return p.output.checkpoint_interval; }, "s", closed(0, 1e9),
         "", chosen, "Time between checkpoints to resume from; 0: only at the end and at signals"},
     Row{"output.kept_checkpoint_interval", [](Parameters& p) -> double& { return p.output.kept_checkpoint_interval; }, "s", closed(0, 1e9),
@@ -270,12 +268,6 @@ constexpr std::array rows{
         "", chosen, "Time between frames of cell and matrix in fields.h5 and in the report's player; 0: none"},
     Row{"output.report", [](Parameters& p) -> bool& { return p.output.report; }, "", none,
         "", chosen, "Whether report.html is written"},
-    Row{"output.pictures", [](Parameters& p) -> bool& { return p.output.pictures; }, "", none,
-        "", chosen, "Whether snapshots/ and snapshots.svg are drawn"},
-    Row{"output.displacement_layer", [](Parameters& p) -> bool& { return p.output.displacement_layer; }, "", none,
-        "", chosen, "Whether snapshots of the displacement of the matrix are drawn as well"},
-    Row{"output.fibre_stress_layer", [](Parameters& p) -> bool& { return p.output.fibre_stress_layer; }, "", none,
-        "", chosen, "Whether snapshots of the von Mises stress of the fibres are drawn as well, if there are fibres"},
 
     Row{"solver.method", choice([](Parameters& p) -> SolverMethod& { return p.solver.method; }, solver_methods), "", none,
         "", chosen, "Conjugate gradients, preconditioned by a multigrid cycle or by the diagonal", numerical},

@@ -232,6 +232,7 @@ std::string json_schema() {
                       "that stands for what was done before there was such a parameter."}};
   for (const Gone& parameter : gone())
     file["x-gone"][std::string(parameter.path)] = {{"left", Json::parse(parameter.left)},
+                                                   {"any", parameter.is_drawing},
                                                    {"fate", gone_text("{}", parameter)}};
   return file.dump(2) + "\n";
 }

@@ -46,16 +46,13 @@ double frames(const Parameters& p) {
 constexpr double bytes_a_particle_and_frame = 50.0;
 
 // Measured: six hours of the baseline, 17,665 particles, leave 25.4 MB of fields and 2.3 MB of report in 73 frames,
-// 3.2 MB a checkpoint, 300 kB a snapshot, and 250 bytes a row of the tables.
+// 3.2 MB a checkpoint, and 250 bytes a row of the tables.
 double disk_bytes(const Parameters& p, double particles) {
   const OutputParameters& out = p.output;
-  const bool fibres = p.fibres.arrangement != FibreArrangement::none;
-  const double layers =
-      out.pictures ? 1.0 + (out.displacement_layer ? 1.0 : 0.0) + (fibres && out.fibre_stress_layer ? 1.0 : 0.0) : 0.0;
   return 8e4 + 250.0 * (times(p, out.track_interval) + 2.0)
          + particles
-               * (frames(p) * (19.7 + (out.report ? 1.7 : 0.0)) + 180.0 * (2.0 + times(p, out.kept_checkpoint_interval))
-                  + 17.0 * layers * (times(p, out.snapshot_interval) + 1.0));
+               * (frames(p) * (19.7 + (out.report ? 1.7 : 0.0))
+                  + 180.0 * (2.0 + times(p, out.kept_checkpoint_interval)));
 }
 
 double steps(const Parameters& p) { return std::ceil(p.run.duration / p.run.time_step - 1e-9); }

@@ -3,7 +3,6 @@
 #include "base/failure.hpp"
 #include "base/file.hpp"
 #include "base/time_text.hpp"
-#include "observe/cell_scene.hpp"
 #include "observe/even_times.hpp"
 #include "parameters/read.hpp"
 #include "report/run_page.hpp"
@@ -90,9 +89,6 @@ FinishedRun read_run(const std::filesystem::path& folder) {
   if (run.memory.rows.empty() || run.memory.rows.back().step != checkpoint.state.step)
     std::ranges::copy(track_rows(checkpoint.state),
                       std::back_inserter(run.memory.rows)); // as at the end of a run
-  if (run.memory.scenes.empty() || run.memory.scenes.back().t < run.t)
-    run.memory.scenes.push_back(
-        observe::cell_scene(checkpoint.state, run.p, observe::paths_so_far(checkpoint.state, run.memory.rows)));
   run.cells = cell_results(checkpoint.state, run.memory.rows, run.memory.group, run.p);
   run.frame_times = run.memory.frames;
   if (ended_at(run.record, run.t) && (run.frame_times.empty() || run.frame_times.back() < run.t))

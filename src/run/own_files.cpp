@@ -18,15 +18,15 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::string_view exports = "export";
+constexpr std::string_view earlier_exports = ///< that earlier versions wrote there
+    R"((contact_sheet|path)\.svg|(matrix|outline|anchors)(\.pvd|_[0-9]{4,}\.vtp))";
 
-constexpr std::array<ExportKind, 10> kinds{{
-    {"--vtk", R"((matrix|outline|anchors)(\.pvd|_[0-9]{4,}\.vtp))"},
+constexpr std::array<ExportKind, 8> kinds{{
     {"--fields", R"(fields\.(h5|xdmf))"},
     {"--tracks", R"(tracks_(celltrackr\.csv|trackmate\.(csv|xml)))"},
     {"--openvt", R"(openvt(\.csv|\.json|_simulator\.json))"},
     {"--simularium", R"(run\.simularium)"},
     {"--ome-tiff", R"(fields\.ome\.tif)"},
-    {"--svg", R"((contact_sheet|path)\.svg)"},
     {"--png", R"(frame_[0-9]{4,}\.(svg|png))"},
     {"--movie", R"(movie\.mp4)"},
     {"--panel", R"(panel\.svg)"},
@@ -50,8 +50,9 @@ Patterns names_in(std::string_view place) {
   Patterns all;
   for (const OutputKind& kind : output_kinds())
     if (kind.folder == place) all.push_back(pattern(kind.names));
-  if (place == exports)
-    for (const ExportKind& kind : kinds) all.push_back(pattern(kind.names));
+  if (place != exports) return all;
+  for (const ExportKind& kind : kinds) all.push_back(pattern(kind.names));
+  all.push_back(pattern(earlier_exports));
   return all;
 }
 

@@ -12,7 +12,7 @@ namespace matrigrate::run {
 
 /// A kind of export and the names of its files, as a regular expression (ECMAScript).
 struct ExportKind {
-  std::string_view option; ///< "--vtk"
+  std::string_view option; ///< "--png"
   std::string_view names;
 };
 std::span<const ExportKind> export_kinds();
@@ -21,7 +21,7 @@ std::span<const ExportKind> export_kinds();
 /// @throws InputOutputError if it cannot be read
 std::vector<std::filesystem::path> files_of(const ExportKind& kind, const std::filesystem::path& folder);
 
-/// Removes all files of a run from its folder: results, checkpoints, snapshots, and exports in the folder `export`.
+/// Removes all files of a run from its folder: results, checkpoints, and exports in the folder `export`.
 /// Everything else stays, as does the lock. Checkpoints go first, so that no part of the old run can be resumed.
 /// @throws InputOutputError naming the file that cannot be removed
 void remove_run_files(const std::filesystem::path& folder);

@@ -18,7 +18,6 @@ RunFolder::RunFolder(const std::filesystem::path& folder, const Parameters& p, c
                      store::RunMemory memory, const std::filesystem::path& from)
     : m_run{.folder = folder, .p = p, .memory = std::move(memory), .frames_from = from.empty() ? folder : from},
       m_lock(folder, FolderLock::Kind::alone, std::chrono::milliseconds(500)),
-      m_record_cadence(p.output.pictures ? p.output.snapshot_interval : 0.0, p.run.time_step),
       m_checkpoint_cadence(p.output.checkpoint_interval, p.run.time_step),
       m_kept_cadence(p.output.kept_checkpoint_interval, p.run.time_step) {
   require_no_links(folder);
@@ -35,7 +34,7 @@ RunFolder::RunFolder(const std::filesystem::path& folder, const Parameters& p, c
   }
   if (is_new) return;
   for (Regular& regular : m_outputs) regular.cadence.due(s.t); // what was due is done
-  for (Cadence* cadence : {&m_record_cadence, &m_checkpoint_cadence, &m_kept_cadence}) cadence->due(s.t);
+  for (Cadence* cadence : {&m_checkpoint_cadence, &m_kept_cadence}) cadence->due(s.t);
   m_safe_until = s.t;
 }
 
@@ -46,7 +45,7 @@ void RunFolder::write_due(const State& s, const Workspace& w) {
 
 void RunFolder::begin(const State& s, const Workspace& w) {
   write_due(s, w);
-  for (Cadence* cadence : {&m_record_cadence, &m_checkpoint_cadence, &m_kept_cadence}) cadence->due(s.t);
+  for (Cadence* cadence : {&m_checkpoint_cadence, &m_kept_cadence}) cadence->due(s.t);
   if (m_keeps_checkpoints) write_checkpoint(s, w, 0.0);
 }
 
@@ -58,7 +57,7 @@ void RunFolder::see(const State& s, const Workspace& w, const RunRecord& record)
   const bool keep = m_kept_cadence.due(s.t);
   const bool due = m_checkpoint_cadence.due(s.t) || keep;
   if (due && m_keeps_checkpoints) write_checkpoint(s, w, record.march_wall_time, keep);
-  if (m_record_cadence.due(s.t)) write_record(record);
+  if (due) write_record(record);
 }
 
 void RunFolder::write_checkpoint(const State& s, const Workspace& w, double march_wall_time, bool keep) {
@@ -83,9 +82,9 @@ void RunFolder::write_checkpoint(const State& s, const Workspace& w, double marc
   m_safe_until = s.t;
 }
 
-void RunFolder::see_last(const State& s, const Workspace& w, bool stopped) {
+void RunFolder::see_last(const State& s, const Workspace& w) {
   for (const auto& [output, cadence] : m_outputs) {
-    if (!output.write || (stopped && !output.when_stopped)) continue;
+    if (!output.write) continue;
     try {
       output.write(s, w);
     } catch (const NumericalFailure&) { // why the run has failed is known

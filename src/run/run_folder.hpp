@@ -47,8 +47,7 @@ public:
   void keep_checkpoints(bool keep) { m_keeps_checkpoints = keep; }
 
   /// Writes what the outputs hold of the last state, as far as it has not been due.
-  /// @param stopped  before its end: then no snapshot, which would stay when the run is resumed
-  void see_last(const State& s, const Workspace& w, bool stopped);
+  void see_last(const State& s, const Workspace& w);
 
   /// Writes all that is made at the end.
   /// @return the results of the cells
@@ -77,7 +76,6 @@ private:
   RunSoFar m_run;
   FolderLock m_lock;
   std::vector<Regular> m_outputs;
-  Cadence m_record_cadence;
   Cadence m_checkpoint_cadence;
   Cadence m_kept_cadence;
   bool m_keeps_checkpoints = true;

@@ -65,7 +65,7 @@ public:
     try {
       march_to_end();
       const RunStatus status = m_record.status();
-      m_folder->see_last(m_simulation->s, m_simulation->w, status == RunStatus::interrupted);
+      m_folder->see_last(m_simulation->s, m_simulation->w);
       m_record.lost_frames = m_folder->lost_frames();
       const State last = std::move(m_simulation->s);
       m_simulation.reset();         // frees the memory that all frames together need,

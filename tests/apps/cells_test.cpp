@@ -16,7 +16,7 @@ protected:
     Program::SetUp();
     write("three.toml", "[ecm]\nradius = \"75 um\"\n[protrusion]\ninitiation_rate = \"0.001 "
                         "1/s\"\n[contact.cells]\nadhesion = \"50 Pa\"\n"
-                        "[output]\ntrack_interval = \"4 s\"\nsnapshot_interval = \"20 s\"\nfield_interval = \"10 s\"\n"
+                        "[output]\ntrack_interval = \"4 s\"\nfield_interval = \"10 s\"\n"
                         "[run]\nduration = \"60 s\"\nintegrator = \"adaptive\"\ntime_step = \"2 s\"\n"
                         "[[cells]]\nx = -32\ny = 0\n[[cells]]\nx = 0\ny = 0\n[[cells]]\nx = 40\ny = 0\n");
   }
@@ -33,7 +33,6 @@ TEST_F(Cells, WriteFilesThatTellThemApart) {
   EXPECT_EQ(std::ranges::count(text_of(folder / "a/tracks.csv"), '\n'), 1 + 3 * 16);
   EXPECT_EQ(std::ranges::count(text_of(folder / "a/summary.csv"), '\n'), 4);
   EXPECT_EQ(json::parse(text_of(folder / "a/summary.json")).at("cells").size(), 3U);
-  EXPECT_TRUE(contains(text_of(folder / "a/snapshots.svg"), ">cell 3; rear, front<"));
   EXPECT_EQ(run("report a").code, 0);
   EXPECT_EQ(run("diff a three.toml").code, 0);
 }
@@ -47,7 +46,7 @@ TEST_F(Cells, HaveTheSameBitsForAnyNumberOfThreadsAndAfterARestart) {
   ASSERT_EQ(run("run three.toml -o c --quiet --wall-time '0.05 s'").code, 75) << "stopped, to go on";
   ASSERT_EQ(run("resume c --quiet").code, 0);
   EXPECT_EQ(record("a").at("trajectory_hash"), record("c").at("trajectory_hash"));
-  for (const char* file : {"tracks.csv", "group.csv", "health.csv", "protrusions.csv", "summary.json", "snapshots.svg"})
+  for (const char* file : {"tracks.csv", "group.csv", "health.csv", "protrusions.csv", "summary.json"})
     EXPECT_EQ(text_of(folder / "a" / file), text_of(folder / "c" / file)) << file;
 }
 

@@ -13,7 +13,7 @@ protected:
   void SetUp() override {
     Program::SetUp();
     write("s.toml", "[ecm]\nradius = \"40 um\"\n[run]\nduration = \"0.002 h\"\n[protrusion]\ninitiation_rate = \"0.01 "
-                    "1/s\"\n[output]\nsnapshot_interval = \"16 s\"\n");
+                    "1/s\"\n");
   }
 
   void write_study(const std::string& name, const std::string& conditions) const {

@@ -94,7 +94,7 @@ TEST_F(ExportStudy, TakesTheRunsThatAreDone) {
 
 TEST_F(ExportStudy, RefusesWhatItCannotExport) {
   ASSERT_EQ(run("study run e.toml").code, 0);
-  for (const char* kind : {"--vtk", "--svg", "--tracks --fields"})
+  for (const char* kind : {"--panel 0", "--png", "--tracks --fields"})
     refuses(std::string("export e-study ") + kind, "e-study: is the folder of a study; name one of its runs");
   const std::string damaged = "e-study/runs/" + table("e-study/results.csv").rows[1][0] + "/tracks.csv";
   const std::string whole = text_of(folder / damaged);

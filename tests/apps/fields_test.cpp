@@ -49,29 +49,23 @@ TEST_F(Fields, AreWrittenAndPlayed) {
 }
 
 TEST_F(Fields, CanBeSwitchedOff) {
-  ASSERT_EQ(run("run s.toml --hours 0.002 -o lean --quiet --set output.field_interval=0 --set output.report=false "
-                "--set output.pictures=false")
-                .code,
+  ASSERT_EQ(run("run s.toml --hours 0.002 -o lean --quiet --set output.field_interval=0 --set output.report=false").code,
             0);
-  for (const char* name : {"fields.h5", "fields.xdmf", "fields.part", "report.html", "snapshots", "snapshots.svg"})
+  for (const char* name : {"fields.h5", "fields.xdmf", "fields.part", "report.html"})
     EXPECT_FALSE(exists(std::string("lean/") + name)) << name;
   EXPECT_TRUE(exists("lean/tracks.csv"));
   ASSERT_EQ(run("report lean").code, 0);
   EXPECT_TRUE(data("lean/report.html").at("frames").is_null());
-  const Ended ended = run("export lean --vtk");
+  const Ended ended = run("export lean --fields");
   EXPECT_EQ(ended.code, 5);
   EXPECT_TRUE(contains(ended.err, "output.field_interval")) << ended.err;
 }
 
 TEST_F(Fields, AreExported) {
   ASSERT_EQ(run("run s.toml --hours 0.01 -o here --quiet").code, 0);
-  ASSERT_EQ(run("export here --vtk --tracks --svg -o out").code, 0);
-  for (const char* name :
-       {"matrix.pvd", "outline.pvd", "anchors.pvd", "matrix_0003.vtp", "outline_0000.vtp", "tracks_celltrackr.csv",
-        "tracks_trackmate.csv", "tracks_trackmate.xml", "contact_sheet.svg", "path.svg"})
+  ASSERT_EQ(run("export here --fields --tracks -o out").code, 0);
+  for (const char* name : {"fields.h5", "fields.xdmf", "tracks_celltrackr.csv", "tracks_trackmate.csv", "tracks_trackmate.xml"})
     EXPECT_TRUE(exists(std::string("out/") + name)) << name;
-  EXPECT_EQ(text_of(folder / "out/contact_sheet.svg"), text_of(folder / "here/snapshots.svg"))
-      << "with the end of the run";
   const std::string path = text_of(folder / "out/tracks_celltrackr.csv");
   EXPECT_EQ(std::count(path.begin(), path.end(), '\n'), 1 + 6);
   EXPECT_EQ(run("export here").code, 2);
@@ -79,25 +73,29 @@ TEST_F(Fields, AreExported) {
   const Ended no_fibres = run("export here --png --layer fibre_von_mises -o no");
   EXPECT_EQ(no_fibres.code, 2);
   EXPECT_TRUE(contains(no_fibres.err, "its matrix has no fibres")) << no_fibres.err;
+  for (const auto& [option, instead] : {std::pair{"--svg", "--panel"}, std::pair{"--vtk", "fields.xdmf"}}) {
+    const Ended gone = run(std::string("export here -o no ") + option);
+    EXPECT_EQ(gone.code, 2);
+    EXPECT_TRUE(contains(gone.err, std::string(option) + ": has gone: ") && contains(gone.err, instead)) << gone.err;
+  }
+  EXPECT_FALSE(exists("no"));
 }
 
 TEST_F(Fields, AreExportedBesideOtherExports) {
   ASSERT_EQ(run("run s.toml --hours 0.01 -o here --quiet").code, 0);
-  ASSERT_EQ(run("export here --vtk").code, 0);
+  ASSERT_EQ(run("export here --simularium").code, 0);
   ASSERT_EQ(run("export here --tracks").code, 0) << "another kind";
-  EXPECT_TRUE(exists("here/export/matrix.pvd"));
+  EXPECT_TRUE(exists("here/export/run.simularium"));
   EXPECT_TRUE(exists("here/export/tracks_celltrackr.csv"));
-  write("here/export/matrix.pvd", "mine");
-  write("here/export/matrix_0099.vtp", "of a longer run");
+  write("here/export/run.simularium", "mine");
   write("here/export/notes.txt", "mine");
-  const Ended ended = run("export here --svg --vtk");
+  const Ended ended = run("export here --fields --simularium");
   EXPECT_EQ(ended.code, 5);
-  EXPECT_TRUE(contains(ended.err, "here/export/anchors.pvd: exists; --vtk --force replaces")) << ended.err;
-  EXPECT_EQ(text_of(folder / "here/export/matrix.pvd"), "mine");
-  EXPECT_FALSE(exists("here/export/path.svg")) << "nothing is written";
-  EXPECT_EQ(run("export here --vtk --force").code, 0);
-  EXPECT_NE(text_of(folder / "here/export/matrix.pvd"), "mine");
-  EXPECT_FALSE(exists("here/export/matrix_0099.vtp")) << "of the same kind";
+  EXPECT_TRUE(contains(ended.err, "here/export/run.simularium: exists; --simularium --force replaces")) << ended.err;
+  EXPECT_EQ(text_of(folder / "here/export/run.simularium"), "mine");
+  EXPECT_FALSE(exists("here/export/fields.h5")) << "nothing is written";
+  EXPECT_EQ(run("export here --simularium --force").code, 0);
+  EXPECT_NE(text_of(folder / "here/export/run.simularium"), "mine");
   EXPECT_TRUE(exists("here/export/notes.txt"));
   EXPECT_TRUE(exists("here/export/tracks_celltrackr.csv"));
   EXPECT_EQ(run("export here --fields -o here --force").code, 5) << "not into the run";
@@ -129,7 +127,7 @@ TEST_F(Fields, AreDrawnAtTimesAndInSizesThatThereAre) {
 
 /// What `export --png` asks of the player, written down by a program in place of node.
 TEST_F(Fields, PicturesShowTheCellUnlessTheWholeIsWanted) {
-  ASSERT_EQ(run("run s.toml --hours 0.002 -o here --quiet").code, 0);
+  ASSERT_EQ(run("run s.toml --hours 0.01 -o here --quiet").code, 0);
   std::filesystem::create_directory(folder / "bin");
   write("bin/node", "#!/bin/sh\ncp \"$2\" '" + (folder / "job.json").string() + "'\nexit 1\n");
   write("bin/ffmpeg", "#!/bin/sh\n");
@@ -143,15 +141,20 @@ TEST_F(Fields, PicturesShowTheCellUnlessTheWholeIsWanted) {
   ::setenv("CHROMIUM", "/bin/sh", 1);
   const auto shown = [&](const std::string& options) {
     EXPECT_EQ(run("export here -o no " + options).code, 5);
-    return json::parse(text_of(folder / "job.json")).at("show");
+    return json::parse(text_of(folder / "job.json"));
   };
   for (const auto& [options, follow, whole] :
        {std::tuple{"--png", true, false}, std::tuple{"--png --whole", false, true}, std::tuple{"--movie", false, false},
         std::tuple{"--movie --follow", true, false}}) {
-    const json show = shown(options);
+    const json show = shown(options).at("show");
     EXPECT_EQ(show.at("follow"), follow) << options;
     EXPECT_EQ(show.at("whole"), whole) << options;
   }
+  for (const auto& [times, frames] :
+       {std::pair{"'16 s, 33 s'", "[[1, 16.0], [2, 32.0]]"}, std::pair{"'every 32 s'", "[[0, 0.0], [2, 32.0]]"}})
+    EXPECT_EQ(shown(std::string("--png --times ") + times).at("frames"), json::parse(frames));
+  EXPECT_EQ(shown("--png").at("frames").size(), 4U);
+  EXPECT_TRUE(contains(run("export here -o no --png --times '3 h'").err, "--times: there is no frame at 3 h"));
   ::setenv("PATH", path.c_str(), 1);
   named.empty() ? ::unsetenv("CHROMIUM") : ::setenv("CHROMIUM", named.c_str(), 1);
 }

@@ -63,6 +63,8 @@ protected:
     change(path(other_name) + "/run.json", "\"configuration_hash\": \"" + name,
            "\"configuration_hash\": \"" + other_name);
     change(path(other_name) + "/scenario.resolved.toml", "\nspread = 1\n", "\n");
+    change(path(other_name) + "/scenario.resolved.toml", "\nreport = true\n",
+           "\nreport = true\npictures = false\nsnapshot_interval = \"2 s\"\n");
     change(path(other_name) + "/scenario.resolved.toml", fmt::format("version = \"{}\"\n", this_version),
            "version = \"0.1.9\"\n");
   }

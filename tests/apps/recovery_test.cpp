@@ -19,7 +19,7 @@ protected:
   void SetUp() override {
     Program::SetUp();
     write("s.toml", "[ecm]\nradius = \"40 um\"\n[protrusion]\ninitiation_rate = \"0.001 1/s\"\n[output]\n"
-                    "track_interval = \"4 s\"\nsnapshot_interval = \"10 s\"\ncheckpoint_interval = \"8 s\"\n"
+                    "track_interval = \"4 s\"\ncheckpoint_interval = \"8 s\"\n"
                     "field_interval = \"8 s\"\n[run]\nduration = \"48 s\"\n");
   }
 
@@ -67,7 +67,7 @@ protected:
     EXPECT_TRUE(contains(ended.out, told)) << ended.out;
     EXPECT_TRUE(contains(status(here), told)) << status(here);
     EXPECT_EQ(record(here).at("status"), "done");
-    for (const char* file : {"tracks.csv", "health.csv", "protrusions.csv", "summary.json", "snapshots.svg"})
+    for (const char* file : {"tracks.csv", "health.csv", "protrusions.csv", "summary.json"})
       EXPECT_EQ(text_of(folder / here / file), text_of(folder / "whole" / file)) << file;
     EXPECT_EQ(record(here).at("trajectory_hash"), record("whole").at("trajectory_hash"));
     EXPECT_TRUE(exists(here + "/fields.h5"));
@@ -181,7 +181,7 @@ TEST_F(Recovery, OffersTheCheckpointBeforeWhereATableWasCut) {
 TEST_F(Recovery, TakesAwayWhatKilledProcessesLeft) {
   make_killed("here");
   const std::vector<std::string> ours{".fields.h5.a1B2c3", ".run.json.abcdef", ".checkpoint_next.h5.000000",
-                                      "checkpoint_next.h5", "snapshots/.t_00010s.svg.ABCDEF"};
+                                      "checkpoint_next.h5", "checkpoints/.t_00010s.h5.ABCDEF"};
   const std::vector<std::string> others{".fields.h5.backup2", ".notes.txt.abcdef", ".run.json.abcdefg", "mine.txt"};
   for (const auto& names : {ours, others})
     for (const std::string& name : names) put("here/" + name, "x");

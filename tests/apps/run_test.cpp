@@ -15,7 +15,7 @@ class Run : public Program {
 protected:
   void SetUp() override {
     Program::SetUp();
-    write("s.toml", "[ecm]\nradius = \"40 um\"\n[output]\ntrack_interval = \"8 s\"\nsnapshot_interval = \"16 s\"\n");
+    write("s.toml", "[ecm]\nradius = \"40 um\"\n[output]\ntrack_interval = \"8 s\"\n");
   }
   json record(const std::string& of) const { return json::parse(text_of(folder / of / "run.json")); }
 };
@@ -28,8 +28,7 @@ TEST_F(Run, WritesItsFiles) {
   EXPECT_TRUE(contains(ended.out, "speed, start to end (um/h)")) << ended.out;
   EXPECT_TRUE(contains(ended.out, "open s-seed7/report.html")) << ended.out;
   for (const char* file : {"scenario.resolved.toml", "run.json", "tracks.csv", "protrusions.csv", "health.csv",
-                           "summary.csv", "summary.json", "snapshots.svg", "report.html", "snapshots/t_00000s.svg",
-                           "snapshots/t_00016s.svg", "snapshots/t_00032s.svg", "snapshots/t_00036s.svg"})
+                           "summary.csv", "summary.json", "report.html"})
     EXPECT_TRUE(exists(std::string("s-seed7/") + file)) << file;
   const std::string tracks = text_of(folder / "s-seed7/tracks.csv");
   EXPECT_TRUE(tracks.starts_with("track,t_s,x_um,y_um,area_um2,perimeter_um,polarization_rad,")) << tracks;
@@ -109,7 +108,10 @@ TEST_F(Run, SaysInWhatARunInItsFolderDiffers) {
 TEST_F(Run, ReplacesAllFilesOfARunIfForced) {
   const std::string options = " --quiet --set output.kept_checkpoint_interval=10 --set output.field_interval=12";
   ASSERT_EQ(run("run s.toml --hours 0.01 -o here" + options).code, 0);
-  ASSERT_EQ(run("export here --vtk --tracks --svg").code, 0);
+  ASSERT_EQ(run("export here --fields --tracks").code, 0);
+  std::filesystem::create_directory(folder / "here/snapshots");
+  for (const char* name : {"snapshots/t_00010s.svg", "snapshots.svg", "export/path.svg", "export/matrix_0001.vtp"})
+    write(std::string("here/") + name, "of an earlier version");
   for (const char* name : {"snapshots/mine.svg", "export/mine.csv", "notes.txt"})
     write(std::string("here/") + name, "mine");
   ASSERT_EQ(run("run s.toml --hours 0.002 --seed 2 -o fresh" + options).code, 0);
@@ -124,7 +126,7 @@ TEST_F(Run, ReplacesAllFilesOfARunIfForced) {
     return names;
   };
   std::vector<std::string> expected = all_of("fresh");
-  expected.insert(expected.end(), {"notes.txt", "snapshots/mine.svg", "export", "export/mine.csv"});
+  expected.insert(expected.end(), {"notes.txt", "snapshots", "snapshots/mine.svg", "export", "export/mine.csv"});
   std::ranges::sort(expected);
   EXPECT_EQ(all_of("here"), expected);
 }
@@ -172,7 +174,7 @@ TEST_F(Run, KeepsWhatItHasWhenItFails) {
   EXPECT_EQ(record("here").at("exit_code"), 4);
   EXPECT_EQ(record("here").at("cause"), "solver");
   EXPECT_TRUE(contains(record("here").at("reason"), "was not solved")) << record("here").at("reason");
-  for (const char* file : {"here/tracks.csv", "here/summary.json", "here/snapshots/t_00000s.svg", "here/report.html"})
+  for (const char* file : {"here/tracks.csv", "here/summary.json", "here/report.html"})
     EXPECT_TRUE(exists(file)) << file;
 }
 

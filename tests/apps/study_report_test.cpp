@@ -58,7 +58,7 @@ TEST_F(StudyReport, IsMadeAnew) {
   ASSERT_EQ(run("study run e.toml").code, 0);
   const json before = data("e-study/report.html");
   std::filesystem::remove(folder / "e-study/report.html");
-  const Ended picture = run("export e-study --svg"); // of one run at a time
+  const Ended picture = run("export e-study --fields"); // of one run at a time
   EXPECT_EQ(picture.code, 5);
   EXPECT_TRUE(contains(picture.err, "e-study: is the folder of a study; name one of its runs, e-study/runs/NAME"))
       << picture.err;

@@ -20,7 +20,7 @@ protected:
   void SetUp() override {
     Program::SetUp();
     write("s.toml", "[ecm]\nradius = \"40 um\"\n[run]\nduration = \"0.002 h\"\n[protrusion]\ninitiation_rate = \"0.01 "
-                    "1/s\"\n[output]\ntrack_interval = \"2 s\"\nsnapshot_interval = \"16 s\"\n");
+                    "1/s\"\n[output]\ntrack_interval = \"2 s\"\n");
     write_study("\"50 Pa\", \"100 Pa\"");
   }
 

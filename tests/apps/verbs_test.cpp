@@ -335,7 +335,7 @@ TEST_F(Program, AFileThatIsNotThereIsAnErrorOfInput) {
   write("study.toml", "scenario = \"none.toml\"\nreplicates = 2\n[sweep]\necm.youngs_modulus = [\"50 Pa\"]\n");
   for (const char* arguments :
        {"check none.toml", "explain none.toml", "run none.toml", "validate patch --scenario none.toml", "resume none",
-        "report none", "export none --svg", "study plan none.toml", "study run none.toml", "study submit none.toml",
+        "report none", "export none --fields", "study plan none.toml", "study run none.toml", "study submit none.toml",
         "study status none", "study collect none", "study plan study.toml"}) {
     const Ended ended = run(arguments);
     EXPECT_EQ(ended.code, 5) << arguments << '\n' << ended.err;

@@ -18,7 +18,6 @@ radius = "60 um"
 initiation_rate = "2e-4 1/s"
 [output]
 track_interval = "4 s"
-snapshot_interval = "60 s"
 checkpoint_interval = "7 s"
 kept_checkpoint_interval = "20 s"
 END

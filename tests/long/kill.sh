@@ -60,11 +60,9 @@ initiation_rate = "4e-4 1/s"
 radius = "60 um"
 [output]
 track_interval = "4 s"
-snapshot_interval = "30 s"
 field_interval = "11 s"
 checkpoint_interval = "7 s"
-kept_checkpoint_interval = "60 s"
-displacement_layer = true'
+kept_checkpoint_interval = "60 s"'
 fibres='[fibres]
 arrangement = "isotropic"'
 obstacle='obstacle = "(x-2)^2+(y-42)^2 < 60 ? 1 : 0"'

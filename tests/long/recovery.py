@@ -34,7 +34,6 @@ protrusion.growth_time = "100 s"
 protrusion.finishing_time = "60 s"
 adhesion.maturation_time = "150 s"
 output.report = false
-output.pictures = false
 output.checkpoint_interval = 0
 output.field_interval = 0
 """

@@ -19,7 +19,7 @@ from pathlib import Path
 
 READOUTS = ("v_migr_abs_um_per_h", "v_migr_path_60s_um_per_h", "v_migr_path_600s_um_per_h", "n_protrusions",
             "tau_prot_min", "l_prot_um", "f_mat", "f_adh_rel", "msd_slope")
-QUIET = ("output.report=false", "output.pictures=false", "output.field_interval=0 s", "output.kept_checkpoint_interval=0 s")
+QUIET = ("output.report=false", "output.field_interval=0 s", "output.kept_checkpoint_interval=0 s")
 FIRST = ("protrusion.number=1", "adhesion.r_off_0=0 1/s", "adhesion.r_off_min=0 1/s", "run.duration=22 min")
 
 

@@ -21,7 +21,6 @@ scenario = "cell.toml"
 replicates = 2
 [set]
 run.duration = "6 min"
-output.pictures = false
 [[points]]
 label = "=soft"
 ecm.youngs_modulus = "50 Pa"
@@ -43,7 +42,6 @@ replicates = 2
 run.duration = "3 min"
 run.integrator = "adaptive"
 ecm.radius = "75 um"
-output.pictures = false
 [[points]]
 label = "pair"
 TOML

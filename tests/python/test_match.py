@@ -326,7 +326,6 @@ run.integrator = "adaptive"
 ecm.radius = "40 um"
 protrusion.initiation_rate = "0.01 1/s"
 output.report = false
-output.pictures = false
 output.checkpoint_interval = 0
 output.field_interval = 0
 

@@ -50,7 +50,8 @@ class Figures(common.InTemporaryFolder):
     def test_a_run_in_a_notebook_shows_its_pictures(self):
         shown = self.run_._repr_html_()
         self.assertIn("seed", shown)
-        self.assertEqual("<svg" in shown, (self.run_.folder / "snapshots.svg").is_file())
+        self.assertIn('<img src="data:image/png;base64,', shown)
+        self.assertEqual(pyplot.get_fignums(), [])
 
     def test_each_cell_has_its_path(self):
         axes = matrigrate.plot.path(self.pair)
@@ -176,7 +177,7 @@ class Figures(common.InTemporaryFolder):
         scenario = matrigrate.Scenario.load(common.runs / "cell.toml")
         scenario.ecm.fields.youngs_modulus = "x < 20 ? 100 : 300"
         scenario.ecm.fields.obstacle = "x > 40 && abs(y) < 6"
-        run = matrigrate.run(scenario, out="given", hours=0.02, overrides={"output.pictures": False})
+        run = matrigrate.run(scenario, out="given", hours=0.02, overrides={"output.report": False})
         axes = matrigrate.plot.frame(run, field="youngs_modulus", window="all")
         self.assertEqual(axes.figure.axes[1].get_ylabel(), "Young's modulus (Pa)")
         self.assertEqual(axes.figure.axes[1].get_ylim(), (100, 300))

@@ -29,8 +29,8 @@ class RunsFromPython(common.InTemporaryFolder):
 
     def test_seed_hours_overrides_and_default_folder(self):
         run = matrigrate.run(cell, seed=3, hours=0.05, threads=2,
-                             overrides={"ecm.youngs_modulus": "300 Pa", "output.pictures": False, "cell.start_x": 2})
-        self.assertEqual(run.folder, pathlib.Path("cell-seed3-youngs_modulus-300Pa-pictures-false-start_x-2"))
+                             overrides={"ecm.youngs_modulus": "300 Pa", "output.report": False, "cell.start_x": 2})
+        self.assertEqual(run.folder, pathlib.Path("cell-seed3-youngs_modulus-300Pa-report-false-start_x-2"))
         self.assertEqual((run.seed, run.record["duration_s"], run.scenario["ecm"]["youngs_modulus"],
                           run.scenario["cell"]["start_x"]), (3, 180.0, "300 Pa", "2 um"))
         scenario = Scenario.load(cell).copy("mine")

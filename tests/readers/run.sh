@@ -16,7 +16,7 @@ field_interval = "36 s"
 duration = "180 s"
 TOML
 "$1" run "$2.toml" -o "$2" --quiet
-"$1" export "$2" --vtk --tracks --simularium --ome-tiff --openvt --times "every 36 s" -o "$2/export"
+"$1" export "$2" --tracks --simularium --ome-tiff --openvt --times "every 36 s" -o "$2/export"
 # 101 times, as the readers of OpenVT's workshop want them
 rm -rf "$2-openvt"
 "$1" run "$2.toml" -o "$2-openvt" --quiet --set run.duration="200 s" --set output.track_interval="2 s" \

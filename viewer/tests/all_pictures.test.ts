@@ -51,10 +51,9 @@ youngs_modulus = "max(50, 200 + 2*x)"
 
 const commands = (kept: string): string[][] => [
   ["new", "cell.toml"],
-  ["run", "cell.toml", "-o", "run", "--hours", "1", "--set", "output.displacement_layer=true", "--set", "output.snapshot_interval=900 s", ...small],
+  ["run", "cell.toml", "-o", "run", "--hours", "1", ...small],
   ["new", "fibres.toml", "--preset", "two-protrusions-fibres"],
   ["run", "fibres.toml", "-o", "fibres", "--hours", "0.2", "--set", "laws.disassembly_rate=min(0.01, r_off_min + r_off_0*exp(-zeta_diss*F/f_mat))", ...small],
-  ["export", "run", "--svg", "-o", "svg"],
   ["export", "run", "--panel", "0 min, 20 min, 40 min", "-o", "panel"],
   ["export", "run", "--png", "-o", "png"],
   ["explain", "gradient.toml", "--pictures", "fields"],
@@ -76,11 +75,9 @@ function made(folder: string): { pictures: Map<string, string>; pages: Map<strin
   execFileSync("/usr/bin/python3", ["-B", join(source!, "tests/python/test_labels.py"), "Pages.test_of_a_fit", "Pages.test_of_a_match"], python);
   execFileSync("Rscript", ["--vanilla", join(source!, "tests/pictures/figures.R"), source!, "run", "study", "."], { cwd: folder, stdio: "pipe" });
   const found: [string, string][] = readdirSync(folder).filter((name) => /^(python|r)-.*\.png$/.test(name)).map((name) => [name.slice(0, -4), name]);
-  for (const [name, file] of [["contact-sheet", "svg/contact_sheet.svg"], ["path", "svg/path.svg"], ["panel", "panel/panel.svg"],
-    ["snapshots", "run/snapshots.svg"], ["claim-field", "claims/fibre-stress.svg"]]) found.push([name, file]);
+  found.push(["panel", "panel/panel.svg"], ["claim-field", "claims/fibre-stress.svg"]);
   const last = (of: string, like: RegExp) => join(of, readdirSync(join(folder, of)).filter((name) => like.test(name)).sort().at(-1)!);
   found.push(["frame", last("png", /\.png$/)], ["frame-svg", last("png", /\.svg$/)], ["field", last("fields", /\.svg$/)]);
-  for (const name of readdirSync(join(folder, "run/snapshots")).filter((one) => one.includes("1800"))) found.push([`snapshot-${basename(name, ".svg")}`, `run/snapshots/${name}`]);
   const pages: [string, string][] = [["run", "run/report.html"], ["fibres", "fibres/report.html"], ["study", "study/report.html"], ["case", "stretch/report.html"],
     ["claims", "claims/report-E5.html"], ["fit", "fit.html"], ["match", "match.html"]];
   return { pictures: new Map(found), pages: new Map(pages) };
@@ -159,7 +156,7 @@ test("all pictures look as those that are kept", { skip: [program, source, core]
     assert.equal(new Set(names).size, names.length);
     assert.ok(names.length >= 40, `${names.length} pictures`);
     for (const file of readdirSync(kept)) if (!names.includes(basename(file, ".webp"))) faults.push(`${file}: is made no more`);
-    for (const [one, other] of [["python-path", "python-msd"], ["r-boxes", "python-boxes"], ["contact-sheet", "panel"], ["study-dark", "study-phone"]])
+    for (const [one, other] of [["python-path", "python-msd"], ["r-boxes", "python-boxes"], ["frame", "panel"], ["study-dark", "study-phone"]])
       if (seen.has(one) && seen.has(other))
         assert.ok((await inkDifference(page, seen.get(one)!, seen.get(other)!)) > most, `${one} and ${other} are told apart`);
     assert.deepEqual(faults, [], out ? "" : "MATRIGRATE_PICTURES=FOLDER writes all of them");

@@ -284,7 +284,7 @@ assert.deepEqual(readdirSync(to).sort(), ["f_degr.csv", "scenario.toml", "youngs
 const program = option("--program");
 if (program) {
   console.log(execFileSync(program, ["check", join(to, "scenario.toml")], { encoding: "utf8" }).trim());
-  execFileSync(program, ["run", join(to, "scenario.toml"), "-o", join(to, "run"), "--hours", "0.0125", "--set", "output.report=false", "--set", "output.pictures=false", "--set", "output.track_interval=40 s"]);
+  execFileSync(program, ["run", join(to, "scenario.toml"), "-o", join(to, "run"), "--hours", "0.0125", "--set", "output.report=false", "--set", "output.track_interval=40 s"]);
   const [head, ...rows] = readFileSync(join(to, "run", "tracks.csv"), "utf8").trim().split("\n").map((line) => line.split(","));
   const row = rows.find((r) => Number(r[head.indexOf("t_s")]) === 40);
   const outline = await page.evaluate(() => {

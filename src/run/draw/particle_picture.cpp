@@ -27,11 +27,8 @@ bool finite(const Vec2& a) { return std::isfinite(a.x()) && std::isfinite(a.y())
 
 void check(const ParticlePicture& p, int width) {
   const std::size_t n = p.position.size();
-  if (p.value.size() != n || (!p.arrow.empty() && p.arrow.size() != n))
-    throw std::invalid_argument(
-        fmt::format("a picture has {} particles, {} values and {} arrows", n, p.value.size(), p.arrow.size()));
-  if (!std::ranges::is_sorted(p.path_begin) || (!p.path_begin.empty() && p.path_begin.back() > n))
-    throw std::invalid_argument(fmt::format("paths of a picture begin in no order, or beyond its {} positions", n));
+  if (p.value.size() != n)
+    throw std::invalid_argument(fmt::format("a picture has {} particles and {} values", n, p.value.size()));
   if (!(p.particle_size > 0.0) || !std::isfinite(p.particle_size))
     throw std::invalid_argument(fmt::format("particles of a picture have the size {} um", p.particle_size));
   if ((p.value_min != 0.0 || p.value_max != 0.0) && !(p.value_min < p.value_max))
@@ -39,7 +36,7 @@ void check(const ParticlePicture& p, int width) {
   if (width < 240) throw std::invalid_argument(fmt::format("a picture {} pixels wide is too small", width));
 }
 
-/// Box around all particles and arrows [um].
+/// Box around all particles [um].
 struct Extent {
   Vec2 low = Vec2::Constant(std::numeric_limits<double>::infinity());
   Vec2 high = -low;
@@ -54,10 +51,9 @@ struct Extent {
 Extent extent(const ParticlePicture& p) {
   const Vec2 half = Vec2::Constant(0.5 * p.particle_size);
   Extent e;
-  for (std::size_t i = 0; i < p.position.size(); ++i) {
-    e.include(p.position[i] - half);
-    e.include(p.position[i] + half);
-    if (!p.arrow.empty()) e.include(p.position[i] + p.arrow_scale * p.arrow[i]);
+  for (const Vec2& x : p.position) {
+    e.include(x - half);
+    e.include(x + half);
   }
   if (!(e.low.x() < e.high.x())) e = {Vec2(-half), half};
   return e;
@@ -100,65 +96,6 @@ std::string dots(const ParticlePicture& p, const ColourScale& scale, const Proje
     ++level;
   }
   return out + "</g>\n";
-}
-
-/// Each path as a line in the colours of its values, with a ring at its start and a dot at its end.
-std::string paths(const ParticlePicture& p, const ColourScale& scale, const Projection& projection) {
-  std::string out = "<g fill=\"none\" stroke-linecap=\"round\" stroke-width=\"2.4\">\n", marks;
-  for (std::size_t k = 0; k < p.path_begin.size(); ++k) {
-    const std::size_t first = p.path_begin[k];
-    const std::size_t end = k + 1 < p.path_begin.size() ? p.path_begin[k + 1] : p.position.size();
-    int level = -2; // none yet
-    std::string data;
-    const auto close = [&] {
-      if (!data.empty())
-        out += fmt::format("<path stroke=\"{}\" d=\"{}\"/>\n", level < 0 ? missing : level_colour(level), data);
-      data.clear();
-    };
-    for (std::size_t i = first; i + 1 < end; ++i) {
-      if (!finite(p.position[i]) || !finite(p.position[i + 1])) continue;
-      const Vec2 a = projection.at(p.position[i]), b = projection.at(p.position[i + 1]);
-      if (data.empty() || scale.level(p.value[i]) != level) {
-        close();
-        level = scale.level(p.value[i]);
-        data = 'M' + svg::point(a.x(), a.y());
-      }
-      data += 'L' + svg::point(b.x(), b.y());
-    }
-    close();
-    if (first == end || !finite(p.position[first]) || !finite(p.position[end - 1])) continue;
-    const Vec2 a = projection.at(p.position[first]), b = projection.at(p.position[end - 1]);
-    marks +=
-        fmt::format("<circle cx=\"{}\" cy=\"{}\" r=\"4.5\" fill=\"#ffffff\" stroke=\"{}\" stroke-width=\"1.8\"/>\n",
-                    svg::coordinate(a.x()), svg::coordinate(a.y()), svg::dark)
-        + fmt::format("<circle cx=\"{}\" cy=\"{}\" r=\"4.5\" fill=\"{}\" stroke=\"#ffffff\"/>\n",
-                      svg::coordinate(b.x()), svg::coordinate(b.y()), svg::dark);
-  }
-  return out + "</g>\n" + marks;
-}
-
-std::string arrows(const ParticlePicture& p, const Projection& projection) {
-  std::string path;
-  for (std::size_t i = 0; i < p.arrow.size(); ++i) {
-    if (!finite(p.position[i]) || !finite(p.arrow[i])) continue;
-    const Vec2 tail = projection.at(p.position[i]);
-    const Vec2 tip = projection.at(p.position[i] + p.arrow_scale * p.arrow[i]);
-    const double length = (tip - tail).norm();
-    if (length < 0.5) continue;
-    const Vec2 back = (tail - tip) * (std::min(0.4 * length, 6.0) / length);
-    const Vec2 side = 0.5 * perpendicular(back);
-    const Vec2 left = tip + back + side;
-    const Vec2 right = tip + back - side;
-    path += 'M' + svg::point(tail.x(), tail.y()) + 'L' + svg::point(tip.x(), tip.y());
-    path += 'M' + svg::point(left.x(), left.y()) + 'L' + svg::point(tip.x(), tip.y()) + 'L';
-    path += svg::point(right.x(), right.y());
-  }
-  if (path.empty()) return path;
-  // A light line below the dark one keeps arrows visible on any colour.
-  return fmt::format("<g fill=\"none\" stroke-linejoin=\"round\">\n"
-                     "<path stroke=\"#ffffff\" stroke-width=\"3\" stroke-opacity=\"0.7\" d=\"{0}\"/>\n"
-                     "<path stroke=\"{1}\" stroke-width=\"1.3\" d=\"{0}\"/>\n</g>\n",
-                     path, svg::dark);
 }
 
 /// A closed curve, dark with a light edge.
@@ -209,7 +146,7 @@ std::string to_svg(const ParticlePicture& p, int width) {
   const svg::TextStyle upward{.size = svg::label_size, .anchor = svg::Anchor::middle, .upward = true};
   const double bar_left = svg::margin + room + bar_gap;
   std::string body = svg::text_lines(svg::margin, svg::margin + svg::title_size - 3.0, title, heading);
-  body += (p.path_begin.empty() ? dots(p, values, projection) : paths(p, values, projection)) + arrows(p, projection);
+  body += dots(p, values, projection);
   for (const std::vector<Vec2>& points : p.outlines) body += outline(points, projection);
   body += colour_bar(values, bar_left, top, height);
   body += svg::text_lines(bar_left + colour_bar_width + 9.0 + labels + svg::label_size + 4.0, top + 0.5 * height, label,

@@ -24,14 +24,9 @@ struct ParticlePicture {
   std::vector<Vec2> position = {}; ///< [um]; a particle whose position is not finite is left out
   std::vector<double> value = {};  ///< one a particle; grey where not finite
   double particle_size = 2.0;      ///< side of the square that a particle takes [um]
-  std::vector<std::size_t> path_begin =
-      {}; ///< where paths begin among the positions; if there are any, each is drawn as a line with a
-          ///< ring at its start and a dot at its end, in place of the particles
   double value_min = 0.0, value_max = 0.0; ///< range of the colour bar; taken from the values if both are 0; values
                                            ///< beyond it get the colour of its end
-  std::vector<Vec2> arrow = {};            ///< drawn from each particle if not empty, in any unit
   std::vector<std::vector<Vec2>> outlines = {}; ///< closed curves on top of the particles [um]
-  double arrow_scale = 1.0;                     ///< length of a drawn arrow over its vector [um per unit of arrow]
 };
 
 /// @param width  [pixel] at least 240; the height follows from the extent of the particles

@@ -94,7 +94,7 @@ std::string openvt_simulator(const std::string& version) {
        "implements the model of Heck et al. 2020, https://doi.org/10.1371/journal.pcbi.1007250"},
       {"platform", "Linux"},
       {"input_formats", {"TOML", "CSV", "PNG", "TIFF"}},
-      {"output_formats", {"CSV", "JSON", "HDF5", "XDMF", "VTK", "OME-TIFF", "Simularium", "TrackMate XML", "SVG"}},
+      {"output_formats", {"CSV", "JSON", "HDF5", "XDMF", "OME-TIFF", "Simularium", "TrackMate XML", "SVG"}},
       {"developer", "The Matrigrate authors"},
       {"license", "BSD-3-Clause"},
       {"objects",

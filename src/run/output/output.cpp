@@ -11,7 +11,7 @@ namespace matrigrate::run {
 
 // Each is in the file of its name.
 using Begin = Output(RunSoFar&, const State&);
-Begin protrusions, rows, snapshots, fields, results, report_page;
+Begin protrusions, rows, fields, results, report_page;
 
 std::span<const OutputKind> output_kinds() {
   static constexpr auto kinds = std::to_array<OutputKind>({
@@ -19,8 +19,8 @@ std::span<const OutputKind> output_kinds() {
       {"checkpoints", R"(t_[0-9.]+s\.h5)"},
       {"", R"(protrusions\.csv)", protrusions},
       {"", R"((tracks|health|group)\.csv)", rows},
-      {"snapshots", R"(t_[0-9.]+s(_displacement|_fibre_stress)?\.svg)", snapshots},
-      {"", R"((snapshots|failure)\.svg)"}, // of snapshots as well
+      {"snapshots", R"(t_[0-9.]+s(_displacement|_fibre_stress)?\.svg)"}, // of earlier versions
+      {"", R"((snapshots|failure)\.svg)"},                                // as well
       {"", R"(fields\.(h5|xdmf|part))", fields},
       {"", R"((msd|summary)\.csv|summary\.json)", results},
       {"", R"(report\.html)", report_page},

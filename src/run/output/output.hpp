@@ -50,7 +50,6 @@ struct Output {
   /// Writes what is due now. Called once more at the end of the run, where nothing must be written twice.
   /// @throws NumericalFailure if the run must not go on (observe/health.hpp, alarm)
   std::function<void(const State&, const Workspace&)> write{};
-  bool when_stopped = true;                           ///< also at the end of a run that will be resumed
   std::function<void()> flush{};                      ///< called before a checkpoint that counts on what was written
   std::function<void(const RunFinish&)> finish{};     ///< writes what is made at the end
   std::function<void()> remove_what_resuming_needs{}; ///< after run.json says that the run is done

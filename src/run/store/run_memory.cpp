@@ -11,8 +11,6 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include <array>
-#include <optional>
 #include <stdexcept>
 #include <tuple>
 #include <type_traits>
@@ -27,11 +25,6 @@ auto parts(Like<StepHealth> auto& s) {
                   s.engulfed, s.list_builds);
 }
 auto parts(Like<HealthWatch> auto& s) { return std::tie(s.max_iterations, s.largest_residual); }
-auto parts(Like<observe::DrawnProtrusion> auto& s) { return std::tie(s.phase, s.contour, s.tip, s.anchor); }
-auto parts(Like<observe::DrawnCell> auto& s) { return std::tie(s.outline, s.front, s.path, s.nucleus); }
-auto parts(Like<observe::CellScene> auto& s) {
-  return std::tie(s.t, s.radius, s.spacing, s.matrix, s.obstacles, s.cells, s.protrusions);
-}
 
 /// What is not defined is null.
 struct Writer {
@@ -42,23 +35,7 @@ struct Writer {
     else
       return std::apply([this](const auto&... part) { return Json::array({(*this)(part)...}); }, parts(value));
   }
-  Json operator()(const Vec2& x) const { return to_json(x); }
-  Json operator()(const std::optional<Vec2>& x) const { return x ? to_json(*x) : Json(); }
-  template <class T>
-  Json operator()(const std::vector<T>& all) const {
-    return list(all);
-  }
-  template <class T, std::size_t n>
-  Json operator()(const std::array<T, n>& all) const {
-    return list(all);
-  }
-
-private:
-  Json list(const auto& all) const {
-    Json json = Json::array();
-    for (const auto& one : all) json.push_back((*this)(one));
-    return json;
-  }
+  Json operator()(const std::vector<double>& all) const { return all; }
 };
 
 /// Reads what Writer has written.
@@ -74,27 +51,17 @@ struct Reader {
     else
       std::apply([&, k = std::size_t{0}](auto&... part) mutable { ((*this)(json.at(k++), part), ...); }, parts(value));
   }
-  void operator()(const Json& json, Vec2& x) const { x = vector(json); }
-  void operator()(const Json& json, std::optional<Vec2>& x) const {
-    if (!json.is_null()) x = vector(json);
-  }
-  template <class T>
-  void operator()(const Json& json, std::vector<T>& all) const {
-    for (const Json& one : json) (*this)(one, all.emplace_back());
-  }
-  template <class T, std::size_t n>
-  void operator()(const Json& json, std::array<T, n>& all) const {
-    for (std::size_t k = 0; k < n; ++k) (*this)(json.at(k), all[k]);
+  void operator()(const Json& json, std::vector<double>& all) const {
+    for (const Json& one : json) all.push_back(number(one));
   }
 };
 
-/// Visits what is kept, but for the tables.
+/// Visits what is kept, but for the tables. Earlier versions kept drawings as well, which nobody reads.
 void each_part(Like<RunMemory> auto& memory, const auto& visit) {
   visit("watch", memory.watch);
   visit("counts", memory.counts);
   visit("step", memory.step);
   visit("force_imbalance", memory.force_imbalance);
-  visit("scenes", memory.scenes);
   visit("frames", memory.frames);
   visit("trajectory", memory.trajectory);
   visit("march_wall_time_s", memory.march_wall_time);
@@ -124,7 +91,7 @@ std::string to_text(const RunMemory& memory) {
 
 void require_whole_tables(const std::string& text, const std::filesystem::path& folder) {
   constexpr std::string_view key = "\"tables\":{";
-  const std::size_t start = text.find(key); // the scenes, which are long, are left alone
+  const std::size_t start = text.find(key);
   const std::size_t end = text.find('}', start);
   if (start == std::string::npos || end == std::string::npos)
     throw InputOutputError("what the run has written so far cannot be read");
@@ -149,9 +116,6 @@ RunMemory parse_memory(const std::string& text, const std::filesystem::path& fol
     const Json json = Json::parse(text);
     RunMemory memory;
     each_part(memory, [&json](const char* name, auto& part) { Reader()(json.at(name), part); });
-    for (const observe::CellScene& scene : memory.scenes)
-      for (const observe::DrawnProtrusion& drawn : scene.protrusions)
-        if (drawn.phase >= std::variant_size_v<Phase>) throw std::invalid_argument("there is no such phase");
     for (const char* name : {"tracks.csv", "health.csv"}) // those of each run
       if (!json.at("tables").contains(name)) throw std::invalid_argument(fmt::format("{} is not named", name));
     for (const auto& [name, mark] : json.at("tables").items())

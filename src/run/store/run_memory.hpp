@@ -1,6 +1,5 @@
 #pragma once
 
-#include "observe/cell_scene.hpp"
 #include "observe/group.hpp"
 #include "observe/health.hpp"
 #include "observe/tracks.hpp"
@@ -24,7 +23,6 @@ struct RunMemory {
   StepHealth counts;                         ///< since the start
   std::uint64_t step = 0;                    ///< of the checkpoint
   double force_imbalance = undefined;        ///< of that step [-]
-  std::vector<observe::CellScene> scenes;    ///< of the contact sheet
   std::vector<double> frames;                ///< times of all frames so far, also of those that were lost since [s]
   std::uint64_t trajectory = 0;              ///< fingerprint of the rows so far
   double march_wall_time = 0.0;              ///< spent in the steps [s]

@@ -119,33 +119,6 @@ TEST(ParticlePicture, HasAScaleBarAndALabelledColourBar) {
   EXPECT_EQ(occurrences(svg, " id="), 0U);
 }
 
-TEST(ParticlePicture, DrawsArrowsThatCanBeSeen) {
-  ParticlePicture picture = lattice(3, 1);
-  picture.arrow = {{1, 0}, {0, 0}, {nan, 0}};
-  const std::string svg = to_svg(picture);
-  const std::size_t start = svg.find("stroke-width=\"1.3\"");
-  ASSERT_NE(start, std::string::npos);
-  const std::string path = svg.substr(start, svg.find("/>", start) - start);
-  EXPECT_EQ(occurrences(path, "M"), 2U) << "one shaft, one head";
-}
-
-TEST(ParticlePicture, DrawsPathsAsLinesWithStartAndEnd) {
-  ParticlePicture picture = lattice(6, 1);
-  picture.value = {0, 1, 2, 3, 4, 5};
-  picture.path_begin = {0, 4};
-  std::string svg = to_svg(picture);
-  EXPECT_TRUE(dots(svg).empty());
-  EXPECT_EQ(occurrences(svg, "<circle"), 4U) << "a ring and a dot for either path";
-  EXPECT_EQ(occurrences(svg, "stroke-width=\"2.4\""), 1U);
-  EXPECT_EQ(occurrences(svg, "<path stroke=\"#"), 3U + 1U + 0U) << "a colour for each stretch";
-  picture.position[1].x() = nan;
-  svg = to_svg(picture);
-  EXPECT_TRUE(parsed(svg));
-  EXPECT_EQ(occurrences(svg, "nan"), 0U);
-  picture.path_begin = {7};
-  EXPECT_THROW(to_svg(picture), std::invalid_argument);
-}
-
 TEST(ParticlePicture, DrawsAnythingWellFormed) {
   for (const ParticlePicture& picture : {ParticlePicture{}, lattice(1, 1), lattice(1, 200), lattice(200, 1)}) {
     const std::string svg = to_svg(picture);
@@ -158,9 +131,6 @@ TEST(ParticlePicture, DrawsAnythingWellFormed) {
 TEST(ParticlePicture, RefusesWhatDoesNotFitTogether) {
   ParticlePicture picture = lattice(3, 1);
   EXPECT_THROW(to_svg(picture, 100), std::invalid_argument);
-  picture.arrow = {{1, 0}};
-  EXPECT_THROW(to_svg(picture), std::invalid_argument);
-  picture = lattice(3, 1);
   picture.value.pop_back();
   EXPECT_THROW(to_svg(picture), std::invalid_argument);
   picture = lattice(3, 1);

@@ -96,22 +96,9 @@ inline auto members(StepHealth& s) {
   auto& [solve, density_bounds, orphans, torn, engulfed, list_builds] = s;
   return std::tie(solve, density_bounds, orphans, torn, engulfed, list_builds);
 }
-inline auto members(observe::DrawnProtrusion& s) {
-  auto& [phase, contour, tip, anchor] = s;
-  return std::tie(phase, contour, tip, anchor);
-}
-inline auto members(observe::DrawnCell& s) {
-  auto& [outline, front, path, nucleus] = s;
-  return std::tie(outline, front, path, nucleus);
-}
-inline auto members(observe::CellScene& s) {
-  auto& [t, radius, spacing, matrix, obstacles, cells, protrusions] = s;
-  return std::tie(t, radius, spacing, matrix, obstacles, cells, protrusions);
-}
 inline auto members(store::RunMemory& s) {
-  auto& [tables, rows, group, watch, counts, step, force_imbalance, scenes, frames, trajectory, march_wall_time] = s;
-  return std::tie(tables, rows, group, watch, counts, step, force_imbalance, scenes, frames, trajectory,
-                  march_wall_time);
+  auto& [tables, rows, group, watch, counts, step, force_imbalance, frames, trajectory, march_wall_time] = s;
+  return std::tie(tables, rows, group, watch, counts, step, force_imbalance, frames, trajectory, march_wall_time);
 }
 
 inline constexpr std::size_t list_length = 4; ///< as many as there are phases: each occurs

@@ -41,8 +41,6 @@ Checkpoint full_checkpoint() {
 RunMemory full_memory() {
   RunMemory memory;
   Filler().fill(memory);
-  for (observe::CellScene& scene : memory.scenes)
-    for (std::size_t k = 0; k < scene.protrusions.size(); ++k) scene.protrusions[k].phase = k;
   const std::vector<std::string_view> columns = store::track_columns(true);
   std::string& tracks = memory.tables["tracks.csv"] = store::csv_line({columns.begin(), columns.end()});
   for (const TrackRow& row : memory.rows) tracks += store::csv_line(store::fields(row));
