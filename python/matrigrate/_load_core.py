@@ -12,16 +12,22 @@ from .errors import CoreNotFound
 
 
 def core() -> ModuleType:
-    """The compiled module: beside this file, or where the environment variable MATRIGRATE_CORE says."""
+    """The compiled module: where the environment variable MATRIGRATE_CORE says; else beside this file, or in a clone where ./demo builds it.
+
+    :raises CoreNotFound: if it is in none of these places
+    """
     name = "matrigrate._core"
     if name in sys.modules:
         return sys.modules[name]
-    places = [os.environ.get("MATRIGRATE_CORE", ""), *map(str, Path(__file__).parent.glob("_core*.so"))]
-    found = next((place for place in places if place and Path(place).is_file()), None)
+    here = Path(__file__).resolve().parent
+    named = os.environ.get("MATRIGRATE_CORE")
+    built = here.parents[1] / "build" / "release" / "python"
+    places = [named] if named else [str(folder / f"_core{end}") for folder in (here, built) for end in importlib.machinery.EXTENSION_SUFFIXES]
+    found = next((place for place in places if Path(place).is_file()), None)
     if found is None:
-        raise CoreNotFound("this package was installed without its compiled module, so it can neither step a simulation "
-                           "(matrigrate.run runs one) nor compute read-outs of tracks (matrigrate tracks does); on Debian 12, in a clone of Matrigrate, python/install.sh builds the "
-                           "module and installs the package with it into a virtual environment")
+        raise CoreNotFound("this package has no compiled module, so it can neither step a simulation (matrigrate.run runs one) nor "
+                           "compute read-outs of tracks (matrigrate tracks does); on Debian 12, in a clone of Matrigrate, ./demo builds the module "
+                           "for the package in the clone, and python/install.sh installs both into a virtual environment")
     spec = importlib.util.spec_from_file_location(name, found,
                                                   loader=importlib.machinery.ExtensionFileLoader(name, found))
     assert spec is not None and spec.loader is not None

@@ -79,7 +79,7 @@ class LikeTheProgram(common.InTemporaryFolder):
                   "os.environ['MATRIGRATE'] = '/nowhere'\n"
                   "try: m.Scenario({'ecm.radius': '1 kg'})\n"
                   "except m.ProgramNotFound as error: print(error)\n")
-        environment = {key: value for key, value in os.environ.items() if key != "MATRIGRATE_CORE"}
+        environment = os.environ | {"MATRIGRATE_CORE": "/nowhere"}
         done = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, env=environment)
         self.assertEqual(done.stdout.splitlines()[:2], ["60.0 200.0", "3"], done.stderr)
         self.assertIn("MATRIGRATE names /nowhere, which is no program", done.stdout)

@@ -3,7 +3,9 @@ import ast
 import doctest
 import gc
 import os
+import pathlib
 import resource
+import shutil
 import signal
 import subprocess
 import sys
@@ -350,6 +352,24 @@ class Stub(unittest.TestCase):
         core = matrigrate.simulation.core()
         self.assertEqual(told, {name: {member for member in vars(kind) if not member.startswith("_")}
                                 for name, kind in vars(core).items() if isinstance(kind, type)})
+
+
+class TestModule(common.InTemporaryFolder):
+    def found(self, **named):
+        environment = {key: value for key, value in os.environ.items() if key != "MATRIGRATE_CORE"} | named
+        script = ("import sys; sys.path.insert(0, 'python'); import matrigrate\n"
+                  "try: print(matrigrate.simulation.core().__file__)\nexcept matrigrate.CoreNotFound as error: print(error)")
+        return subprocess.run([sys.executable, "-B", "-c", script], env=environment, capture_output=True, text=True, check=True).stdout.strip()
+
+    def test_is_found_where_a_clone_builds_it(self):
+        shutil.copytree(common.source / "python" / "matrigrate", "python/matrigrate", ignore=shutil.ignore_patterns("_core*.so", "__pycache__"))
+        os.symlink(common.source / "docs", "docs")  # with the tables of the program
+        self.assertIn("./demo builds the module", self.found())
+        built = pathlib.Path("build/release/python")
+        built.mkdir(parents=True)
+        module = shutil.copy(matrigrate.simulation.core().__file__, built)
+        self.assertEqual(pathlib.Path(self.found()), pathlib.Path(module).resolve())
+        self.assertIn("has no compiled module", self.found(MATRIGRATE_CORE="/nowhere"))
 
 
 def load_tests(_, tests, __):
