@@ -5,6 +5,10 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <numbers>
 #include <utility>
 #include <vector>
 
@@ -14,16 +18,6 @@ namespace {
 
 constexpr std::size_t max_length = 1000;
 
-/// "200.5" of the comma in "x + 200,5"; empty if it does not stand between digits.
-std::string with_point(std::string_view text, std::size_t comma) {
-  const auto digit = [&](std::size_t k) { return std::isdigit(static_cast<unsigned char>(text[k])) != 0; };
-  std::size_t begin = comma, end = comma + 1;
-  while (begin > 0 && digit(begin - 1)) --begin;
-  while (end < text.size() && digit(end)) ++end;
-  if (begin == comma || end == comma + 1) return {};
-  return fmt::format("{}.{}", text.substr(begin, comma - begin), text.substr(comma + 1, end - comma - 1));
-}
-
 /// "cannot be read as a formula in x, y and r".
 std::string unreadable(std::span<const std::string_view> variables) {
   std::string text = "cannot be read as a formula";
@@ -32,66 +26,112 @@ std::string unreadable(std::span<const std::string_view> variables) {
   return text;
 }
 
-/// muParser would take the last of several values, and set x.
-/// @param head  of the message
-void refuse_several_values_and_assignments(std::string_view text, const std::string& head) {
-  std::vector<bool> of_function; // for each open parenthesis
-  char before = ' ';             // the last character that is no space
-  for (std::size_t k = 0; k < text.size(); ++k) {
-    const char c = text[k];
-    if (c == '(') of_function.push_back(before == '_' || std::isalnum(static_cast<unsigned char>(before)) != 0);
-    if (c == ')' && !of_function.empty()) of_function.pop_back();
-    if (c == ',' && (of_function.empty() || !of_function.back())) {
-      const std::string number = with_point(text, k);
-      throw std::invalid_argument(fmt::format(
-          "{}, at character {}: a comma stands outside of a function; {}", head, k + 1,
-          number.empty() ? "a formula has one value" : fmt::format("write {} with a decimal point", number)));
-    }
-    if (c == '=' && text.substr(k, 2) == "==") {
-      ++k;
-    } else if (c == '=' && before != '!' && before != '<' && before != '>') {
-      throw std::invalid_argument(
-          fmt::format("{}, at character {}: = would set a value; write == to compare", head, k + 1));
-    }
-    if (c != ' ') before = c;
+/// muParser takes no notice of what is not a number in their second value: max(0, sqrt(-1)) would be 0.
+template <class Better>
+double best(const double* values, int count, const Better& better) {
+  double found = values[0];
+  for (int k = 1; k < count; ++k) {
+    if (std::isnan(values[k]) || std::isnan(found)) return std::numeric_limits<double>::quiet_NaN();
+    if (better(values[k], found)) found = values[k];
   }
+  return found;
 }
 
-bool begins_a_name(char c) { return c == '_' || std::isalpha(static_cast<unsigned char>(c)) != 0; }
+double least(const double* values, int count) { return best(values, count, std::less<>()); }
+double largest(const double* values, int count) { return best(values, count, std::greater<>()); }
+double sign(double x) { return std::isnan(x) ? x : x < 0.0 ? -1.0 : x > 0.0 ? 1.0 : 0.0; }
+double floored(double x) { return std::floor(x); }
+double ceiled(double x) { return std::ceil(x); }
+double rest(double a, double b) { return a - b * std::floor(a / b); } // has the sign of b
+
+/// One that knows the functions and constants of every formula.
+mu::Parser usual_parser() {
+  mu::Parser parser;
+  parser.ClearConst();
+  parser.DefineConst("_pi", std::numbers::pi); // that of muParser is 8e-13 too small
+  parser.DefineConst("_e", std::numbers::e);
+  parser.DefineFun("min", least);
+  parser.DefineFun("max", largest);
+  parser.DefineFun("sign", sign);
+  parser.DefineFun("floor", floored);
+  parser.DefineFun("ceil", ceiled);
+  parser.DefineFun("mod", rest);
+  return parser;
+}
+
+const mu::Parser& known() {
+  static const mu::Parser parser = usual_parser();
+  return parser;
+}
+
+int arguments_of(std::string_view function) {
+  const auto found = known().GetFunDef().find(std::string(function));
+  return found == known().GetFunDef().end() ? 0 : found->second.GetArgc();
+}
+
+/// Characters that are no blanks.
+std::size_t length_of(std::string_view text) {
+  return static_cast<std::size_t>(
+      std::ranges::count_if(text, [](unsigned char c) { return std::isspace(c) == 0 && (c & 0xc0U) != 0x80U; }));
+}
+
+FormulaTree tree_of(const std::string& text, std::span<const std::string_view> variables,
+                    std::span<const NamedNumber> constants) {
+  const auto refuse_long = [](std::string_view formula) {
+    if (const std::size_t length = length_of(formula); length > max_length || formula.size() > 10 * max_length)
+      throw std::invalid_argument(fmt::format("is a formula of {} characters; allowed are {}", length, max_length));
+  };
+  refuse_long(text);
+  const FormulaNames names{[&](std::string_view name) {
+                             return std::ranges::find(variables, name) != variables.end()
+                                    || std::ranges::find(constants, name, &NamedNumber::name) != constants.end()
+                                    || known().GetConst().contains(std::string(name));
+                           },
+                           arguments_of};
+  try {
+    FormulaTree tree = formula_tree(text, names);
+    refuse_long(written(tree.whole));
+    return tree;
+  } catch (const FormulaFault& fault) {
+    const std::string why = fmt::format("{}, at character {}: {}", unreadable(variables), fault.at, fault.what());
+    if (fault.unknown.empty()) throw std::invalid_argument(why);
+    throw UnknownName(why, fault.unknown);
+  }
+}
 
 } // namespace
 
 struct Expression::Parser {
-  mu::Parser parser;
+  FormulaTree tree;
+  mu::Parser parser = usual_parser();
   std::vector<double> values; ///< of the variables
   std::vector<bool> used;
 };
 
 Expression::Expression(const std::string& text, std::span<const std::string_view> variables,
                        std::span<const NamedNumber> constants)
+    : Expression(tree_of(text, variables, constants), variables, constants) {}
+
+Expression::Expression(FormulaTree tree, std::span<const std::string_view> variables,
+                       std::span<const NamedNumber> constants)
     : m_parser(std::make_unique<Parser>()) {
-  const std::string head = unreadable(variables);
-  if (text.size() > max_length)
-    throw std::invalid_argument(fmt::format("is a formula of {} characters; allowed are {}", text.size(), max_length));
-  refuse_several_values_and_assignments(text, head);
+  m_parser->tree = std::move(tree);
   mu::Parser& parser = m_parser->parser;
   m_parser->values.resize(variables.size(), 0.0);
   try {
     for (const NamedNumber& constant : constants) parser.DefineConst(constant.name, constant.value);
     for (std::size_t k = 0; k < variables.size(); ++k)
       parser.DefineVar(std::string(variables[k]), &m_parser->values[k]);
-    parser.SetExpr(text);
+    parser.SetExpr(for_evaluation(m_parser->tree.whole));
     parser.Eval();
     const mu::varmap_type& used = parser.GetUsedVar();
     for (const std::string_view name : variables) m_parser->used.push_back(used.contains(std::string(name)));
-  } catch (const mu::Parser::exception_type& error) {
-    const std::string at = error.GetPos() >= 0 ? fmt::format(", at character {}", error.GetPos() + 1) : "";
-    const std::string& token = error.GetToken();
-    if (error.GetCode() == mu::ecUNASSIGNABLE_TOKEN && !token.empty() && begins_a_name(token.front()))
-      throw UnknownName(fmt::format("{}{}: there is no {}", head, at, token), token);
-    throw std::invalid_argument(fmt::format("{}{}: {}", head, at, error.GetMsg()));
+  } catch (const mu::Parser::exception_type& error) { // the tree is one that muParser reads
+    throw std::invalid_argument(fmt::format("{}: {}", unreadable(variables), error.GetMsg()));
   }
 }
+
+const FormulaTree& Expression::tree() const { return m_parser->tree; }
 
 Expression::Expression(Expression&&) noexcept = default;
 Expression& Expression::operator=(Expression&& other) noexcept {
@@ -108,8 +148,7 @@ double Expression::at(std::span<const double> arguments) const {
 bool Expression::uses(std::size_t variable) const { return m_parser->used.at(variable); }
 
 bool in_every_formula(const std::string& name) {
-  const mu::Parser parser;
-  return parser.GetFunDef().contains(name) || parser.GetConst().contains(name);
+  return known().GetFunDef().contains(name) || known().GetConst().contains(name);
 }
 
 } // namespace matrigrate::fields

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "fields/formula_tree.hpp"
+
 #include <cstddef>
 #include <memory>
 #include <span>
@@ -24,15 +26,18 @@ struct UnknownName : std::invalid_argument {
   std::string name;
 };
 
-/// A formula in variables and constants, such as "r_0*exp(-F/F_0)". It knows + - * / ^, comparisons, && || and ?:, and
-/// the functions and constants of muParser (sin, cos, exp, sqrt, abs, min, max, _pi ...). It has no loops, no memory
-/// and no access to anything else. A comma stands between the arguments of a function only.
+/// A formula in variables and constants, such as "r_0*exp(-F/F_0)". It knows + - * / ^, comparisons, && || ! and ?:,
+/// the functions and constants of muParser (sin, cos, exp, sqrt, abs, min, max, _pi ...), floor, ceil and mod. It has
+/// no loops, no memory and no access to anything else. A comma stands between the arguments of a function only.
 class Expression {
 public:
-  /// @param text       at most 1000 characters
+  /// @param text       at most 1000 characters besides blanks
   /// @param variables  their names, in the order of the arguments of at()
   /// @throws UnknownName; std::invalid_argument saying what cannot be read, and at which character
   Expression(const std::string& text, std::span<const std::string_view> variables,
+             std::span<const NamedNumber> constants = {});
+  /// Of a tree, or of a part of one.
+  Expression(FormulaTree tree, std::span<const std::string_view> variables,
              std::span<const NamedNumber> constants = {});
   Expression(Expression&&) noexcept;
   Expression& operator=(Expression&& other) noexcept;
@@ -43,6 +48,8 @@ public:
 
   /// Whether the value may depend on a variable.
   bool uses(std::size_t variable) const;
+
+  const FormulaTree& tree() const;
 
 private:
   struct Parser;
