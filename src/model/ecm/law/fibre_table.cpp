@@ -25,7 +25,7 @@ constexpr int n = 6;
 using Values = Eigen::Matrix<double, n, 1>;
 using Square = Eigen::Matrix<double, n, n>;
 
-/// Where a polynomial is that of the law: within the piece, so that a jump at its end does no harm.
+/// Chebyshev node k of a piece, scaled to -1 to 1. No node lies on an end, so a jump of the law there does no harm.
 double node(int k) { return -std::cos(std::numbers::pi * (k + 0.5) / n); }
 
 /// From values at the nodes to coefficients.
