@@ -16,6 +16,8 @@ namespace {
 constexpr std::size_t longest = 10'000;            ///< intervals of a track
 constexpr std::size_t most_intervals = 20'000'000; ///< of all tracks
 
+constexpr const char* no_name = "NAME";
+
 /// Steps of a track that are not all across gaps by chance.
 constexpr std::size_t enough_steps = 5;
 
@@ -30,6 +32,7 @@ class Grid {
 public:
   Grid(const Spots& spots, bool exact, const TrackOptions& options, Findings& findings)
       : m_options(options), m_findings(findings), m_exact(exact) {
+    if (!spots.apart.empty()) m_apart = spots.apart;
     m_paths.resize(spots.names.size());
     for (std::size_t k = 0; k < m_paths.size(); ++k) m_paths[k].name = spots.names[k];
     for (const Spot& s : spots.spots) m_paths[s.track].spots.push_back(s);
@@ -77,11 +80,14 @@ private:
     const std::string way = m_options.spelling == Spelling::keys
                                 ? "splits = \"cut\" ends it before, \"drop\" leaves it out"
                                 : "--splits cut ends it before, --splits drop leaves it out";
-    const std::string ids =
-        fmt::format("do ids repeat in several movies? {} tells them apart", m_options.say("columns", "\"group=NAME\""));
+    const std::string ids = fmt::format("do ids repeat in several movies? {} tells them apart",
+                                        m_options.say("columns", fmt::format("\"group={}\"", m_apart)));
     for (auto& [line, what] : faults)
-      m_findings.fault(line,
-                       fmt::format("{}: {}", what, 2 * split > all && all > 1 ? ids : "it splits or merges; " + way));
+      m_findings.fault(
+          line,
+          fmt::format("{}: {}", what,
+                      m_apart != no_name || (2 * split > all && all > 1) ? ids : "it splits or merges; " + way),
+          "twice");
   }
 
   void leave_short_out() {
@@ -204,6 +210,7 @@ private:
   const TrackOptions& m_options;
   Findings& m_findings;
   bool m_exact;
+  std::string m_apart = no_name; ///< the column that tells movies apart
   std::vector<Path> m_paths;
   double m_interval = 1.0;
   bool m_frequent = true;        ///< whether m_interval is the most frequent step

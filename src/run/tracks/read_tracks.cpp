@@ -1,8 +1,10 @@
 #include "tracks/read_tracks.hpp"
 
 #include "base/file.hpp"
+#include "statistics/sample.hpp"
 #include "tracks/grid.hpp"
 #include "tracks/layouts.hpp"
+#include "tracks/leaps.hpp"
 #include "tracks/text.hpp"
 
 #include <fmt/format.h>
@@ -35,10 +37,7 @@ double median_speed(const Tracks& tracks) {
     for (std::size_t i = 1; i < track.k.size(); ++i)
       speeds.push_back(std::hypot(track.x[i] - track.x[i - 1], track.y[i] - track.y[i - 1]) * 3600.0
                        / (static_cast<double>(track.k[i] - track.k[i - 1]) * tracks.interval));
-  if (speeds.empty()) return 0.0;
-  const auto middle = speeds.begin() + static_cast<std::ptrdiff_t>(speeds.size() / 2);
-  std::ranges::nth_element(speeds, middle);
-  return *middle;
+  return speeds.empty() ? 0.0 : statistics::quantile(speeds, 0.5);
 }
 
 void look_at_motion(const Tracks& tracks, const TrackOptions& options, Findings& findings) {
@@ -52,6 +51,7 @@ void look_at_motion(const Tracks& tracks, const TrackOptions& options, Findings&
   if (speed > fast) findings.note(fmt::format("{:.0f} um/h is faster than cells crawl: are the units right?", speed));
   if (speed > 0.0 && speed < slow)
     findings.note(fmt::format("{:.2g} um/h is slower than cells crawl: are the units right?", speed));
+  look_for_leaps(tracks, options, findings);
 }
 
 /// What comes of a text: its spots, calibrated and on one interval.

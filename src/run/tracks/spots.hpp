@@ -40,6 +40,7 @@ struct Spots {
   bool has_frames() const { return !columns.frame.empty(); }
   std::size_t nowhere = 0; ///< rows without a position
   std::size_t made_up = 0; ///< positions that a tracker has made up, and that are left out
+  std::string apart;       ///< a column that would tell tracks of one id apart that are in two places at one time
 };
 
 /// The spots of a table of text.

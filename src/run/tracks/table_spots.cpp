@@ -1,5 +1,7 @@
 #include "parameters/scan.hpp"
+#include "statistics/sample.hpp"
 #include "tracks/layouts.hpp"
+#include "tracks/leaps.hpp"
 #include "tracks/numbers.hpp"
 #include "tracks/spots.hpp"
 
@@ -7,8 +9,10 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
+#include <numeric>
 #include <optional>
 #include <set>
 #include <tuple>
@@ -43,10 +47,14 @@ class SpotReader {
 public:
   SpotReader(const Table& table, const TrackOptions& options, Findings& findings)
       : m_table(table), m_options(options), m_findings(findings), m_signs(number_signs(table, findings)),
-        m_clock(clock_of(table, findings)) {}
+        m_clock(clock_of(table, findings)) {
+    for (std::size_t k = 0; k < table.parts; ++k) m_parts.push_back(std::to_string(k + 1));
+  }
 
-  Spots spots() {
-    if (!m_findings.good()) return {}; // of signs
+  Spots& spots() { return m_spots; }
+
+  void read() {
+    if (!m_findings.good()) return; // of signs
     const std::vector<std::size_t> movies = group_columns();
     std::map<std::string, std::set<std::string>> groups;  // in which an id occurs
     std::vector<std::pair<std::string, std::string>> ids; // group and id of each row that has a track
@@ -60,21 +68,151 @@ public:
         continue;
       }
       std::string group;
-      for (const std::size_t c : movies) group += row.fields[c] + "/";
+      for (const std::size_t c : movies) group += field(row, c) + "/";
       groups[id].insert(group);
       ids.emplace_back(std::move(group), id);
       rows.push_back(&row);
     }
     const bool repeat = std::ranges::any_of(groups, [](const auto& one) { return one.second.size() > 1; });
     for (std::size_t i = 0; i < rows.size(); ++i) add(*rows[i], repeat ? ids[i].first + ids[i].second : ids[i].second);
+    count_doubles_once();
     look_at_twins();
     tell(repeat, movies);
-    return finished(repeat ? movies : std::vector<std::size_t>{});
+    finish(repeat ? movies : std::vector<std::size_t>{});
+  }
+
+  /// Columns that tell movies apart whatever their names: where their values change along tracks, all tracks leap, and
+  /// each time has one value. Or the file that was joined, if an id is in two places at one time within several.
+  std::vector<std::size_t> movie_columns() {
+    std::vector<std::size_t> found;
+    if (!m_options.columns.group.empty() || !m_findings.good()) return found;
+    const std::vector<std::pair<std::size_t, std::size_t>> pairs = successive();
+    std::vector<double> gaps;
+    for (const auto& [a, b] : pairs) gaps.push_back(time_of(b) - time_of(a));
+    const double interval = gaps.empty() ? 1.0 : statistics::quantile(gaps, 0.5);
+    std::vector<Step> steps;
+    for (const auto& [a, b] : pairs)
+      steps.push_back({.dx = m_spots.spots[b].x - m_spots.spots[a].x,
+                       .dy = m_spots.spots[b].y - m_spots.spots[a].y,
+                       .gap = std::max(1.0, (time_of(b) - time_of(a)) / interval)});
+    const double usual = usual_step(steps);
+    std::set<std::size_t> told; // steps that lead to another movie
+    for (const std::size_t c : free_columns()) {
+      std::set<std::size_t> changes;
+      for (std::size_t i = 0; i < pairs.size(); ++i)
+        if (field(*m_rows[pairs[i].first], c) != field(*m_rows[pairs[i].second], c)) changes.insert(i);
+      std::vector<Step> changing;
+      for (const std::size_t i : changes) changing.push_back(steps[i]);
+      if (4 * changes.size() > steps.size() || std::ranges::includes(told, changes)
+          || together(changing, usual) != Together::leaps || !is_of_time(c))
+        continue;
+      found.push_back(c);
+      told.merge(changes);
+    }
+    if (found.empty()) look_at_collisions(found);
+    return found;
   }
 
 private:
+  bool is_part(Table::Column column) const {
+    return m_table.parts > 1 && !m_table.header.empty() && column == m_table.header.size();
+  }
+
+  double time_of(std::size_t spot) const { return m_table.frame ? m_spots.spots[spot].frame : m_spots.spots[spot].t; }
+
+  /// Spots in the order of tracks and times.
+  std::vector<std::size_t> order() const {
+    std::vector<std::size_t> order(m_spots.spots.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::ranges::stable_sort(order, {}, [this](std::size_t i) {
+      const Spot& spot = m_spots.spots[i];
+      return std::tuple(spot.track, time_of(i), spot.t, spot.x, spot.y);
+    });
+    return order;
+  }
+
+  /// Pairs of spots that follow one another in a track.
+  std::vector<std::pair<std::size_t, std::size_t>> successive() const {
+    std::vector<std::pair<std::size_t, std::size_t>> pairs;
+    const std::vector<std::size_t> sorted = order();
+    for (std::size_t i = 1; i < sorted.size(); ++i)
+      if (const std::size_t a = sorted[i - 1], b = sorted[i];
+          m_spots.spots[a].track == m_spots.spots[b].track && time_of(b) > time_of(a))
+        pairs.emplace_back(a, b);
+    return pairs;
+  }
+
+  /// Columns that nothing is read from.
+  std::vector<std::size_t> free_columns() const {
+    std::vector<std::size_t> columns;
+    const std::array used{m_table.track, m_table.t,       m_table.frame,    m_table.x,   m_table.y,
+                          m_table.z,     m_table.made_up, m_table.measured, m_table.unit};
+    for (std::size_t c = 0; c < m_table.header.size() + (m_table.parts > 1 ? 1 : 0); ++c)
+      if (std::ranges::find(used, Table::Column(c)) == used.end()) columns.push_back(c);
+    return columns;
+  }
+
+  /// Whether each time has one value of a column.
+  bool is_of_time(std::size_t column) const {
+    std::map<double, const std::string*> values;
+    for (std::size_t i = 0; i < m_rows.size(); ++i) {
+      const std::string& value = field(*m_rows[i], column);
+      if (*values.emplace(time_of(i), &value).first->second != value) return false;
+    }
+    return true;
+  }
+
+  /// Rows that say the same of one track at one time count once.
+  void count_doubles_once() {
+    const std::vector<std::size_t> sorted = order();
+    std::set<std::size_t> doubles;
+    for (std::size_t i = 1; i < sorted.size(); ++i) {
+      const Spot &a = m_spots.spots[sorted[i - 1]], &b = m_spots.spots[sorted[i]];
+      if (a.track == b.track && a.t == b.t && a.frame == b.frame && a.x == b.x && a.y == b.y) doubles.insert(sorted[i]);
+    }
+    if (doubles.empty()) return;
+    std::size_t to = 0;
+    for (std::size_t i = 0; i < m_rows.size(); ++i)
+      if (!doubles.contains(i)) {
+        m_spots.spots[to] = m_spots.spots[i];
+        m_rows[to++] = m_rows[i];
+      }
+    m_spots.spots.resize(to);
+    m_rows.resize(to);
+    m_findings.note(
+        fmt::format("{} twice, and {} once",
+                    counted(doubles.size(), "row") + (doubles.size() == 1 ? " stands there" : " stand there"),
+                    doubles.size() == 1 ? "counts" : "count"));
+  }
+
+  /// If an id is in two places at one time: the column that tells them apart.
+  void look_at_collisions(std::vector<std::size_t>& found) {
+    std::set<std::pair<std::size_t, double>> places;
+    bool collide = false;
+    for (std::size_t i = 0; i < m_rows.size(); ++i)
+      collide = !places.emplace(m_spots.spots[i].track, time_of(i)).second || collide;
+    if (!collide) return;
+    for (const std::size_t c : free_columns()) {
+      std::set<std::tuple<std::size_t, std::string_view, double>> apart;
+      std::set<std::pair<std::size_t, std::string_view>> tracks;
+      bool free = true;
+      for (std::size_t i = 0; i < m_rows.size() && free; ++i) {
+        const std::string& value = field(*m_rows[i], c);
+        free = apart.emplace(m_spots.spots[i].track, value, time_of(i)).second;
+        tracks.emplace(m_spots.spots[i].track, value);
+      }
+      if (!free || 3 * tracks.size() > m_rows.size()) continue;
+      if (is_part(c))
+        found.push_back(c);
+      else
+        m_spots.apart = m_table.name(c);
+      return;
+    }
+  }
+
   const std::string& field(const SheetRow& row, Table::Column column) const {
     static const std::string none;
+    if (is_part(column)) return m_parts.at(row.part);
     return column && *column < row.fields.size() ? row.fields[*column] : none;
   }
 
@@ -106,7 +244,7 @@ private:
                                     m_table.y,     m_table.made_up, m_table.measured};
     used.insert(used.end(), m_table.group.begin(), m_table.group.end());
     for (const Table::Column c : used)
-      if (c && *c >= row.fields.size()) {
+      if (c && *c >= row.fields.size() && !is_part(c)) {
         m_findings.fault(row.line, fmt::format("has {} fields; there is no column {}", row.fields.size(), *c + 1));
         return false;
       }
@@ -121,8 +259,7 @@ private:
       std::map<std::string, std::string> first;
       bool one_time = true;
       for (const SheetRow& row : m_table.rows) {
-        if (c >= row.fields.size()) continue;
-        const auto [at, added] = first.emplace(row.fields[c], field(row, time));
+        const auto [at, added] = first.emplace(field(row, c), field(row, time));
         one_time = one_time && at->second == field(row, time);
       }
       if (first.size() > 1 && !one_time) columns.push_back(c);
@@ -236,6 +373,7 @@ private:
                                              m_table.name(m_table.t)));
     m_last[own->second] = *t;
     m_spots.spots.push_back({.track = own->second, .t = *t, .frame = *frame, .x = *x, .y = *y, .line = row.line});
+    m_rows.push_back(&row);
   }
 
   /// Imaris states the unit in each row.
@@ -273,7 +411,7 @@ private:
     return list;
   }
 
-  Spots finished(const std::vector<std::size_t>& movies) {
+  void finish(const std::vector<std::size_t>& movies) {
     m_spots.layout = m_table.layout;
     m_spots.separator = m_table.separator;
     m_spots.decimal_comma = m_signs.decimal == ',';
@@ -288,7 +426,6 @@ private:
                        .made_up = name(m_table.made_up),
                        .measured = name(m_table.measured),
                        .group = names(movies)};
-    return std::move(m_spots);
   }
 
   const Table& m_table;
@@ -297,6 +434,8 @@ private:
   NumberSigns m_signs;
   Clock m_clock;
   Spots m_spots;
+  std::vector<const SheetRow*> m_rows;          ///< of the spots
+  std::vector<std::string> m_parts;             ///< names of the files that were joined
   std::map<std::string, std::size_t> m_numbers; ///< of tracks, by their names
   std::vector<double> m_last;                   ///< time of each track so far
   std::set<std::string> m_heights;
@@ -307,13 +446,22 @@ private:
 } // namespace
 
 Spots table_spots(std::string_view text, const TrackOptions& options, Findings& findings) {
-  const std::optional<Table> table = find_table(text, options, findings);
+  std::optional<Table> table = find_table(text, options, findings);
   if (!table) return {};
   if (table->rows.empty()) {
     findings.fault(0, "has a header, but no rows");
     return {};
   }
-  return SpotReader(*table, options, findings).spots();
+  const Findings before = findings;
+  SpotReader reader(*table, options, findings);
+  reader.read();
+  const std::vector<std::size_t> movies = reader.movie_columns();
+  if (movies.empty()) return std::move(reader.spots());
+  findings = before;
+  table->group.insert(table->group.end(), movies.begin(), movies.end());
+  SpotReader apart(*table, options, findings);
+  apart.read();
+  return std::move(apart.spots());
 }
 
 } // namespace matrigrate::tracks

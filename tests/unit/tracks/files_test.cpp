@@ -116,7 +116,7 @@ TEST(TrackFiles, AMovieWithoutCalibrationIsCalibratedByTheCaller) {
       "uncalibrated.csv: its movie was not calibrated: x is in no unit of length, and a frame lasts 1 s (POSITION_T): "
       "give --interval S, s from frame to frame, or --time-unit s if it is 1 s");
   pixel.time_unit = "s";
-  EXPECT_TRUE(notes(of_file("uncalibrated.csv", pixel), "3304 um/h is faster than cells crawl: are the units right?"));
+  EXPECT_TRUE(notes(of_file("uncalibrated.csv", pixel), "3265 um/h is faster than cells crawl: are the units right?"));
 }
 
 TEST(TrackFiles, TimeStampsMayScatter) {
