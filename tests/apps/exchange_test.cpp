@@ -93,7 +93,7 @@ TEST_F(Exchange, OfUnevenRowsSaysWhatItLeavesOut) {
   EXPECT_TRUE(contains(odd.err, "the last position, at 8 s, comes sooner than 3 s after the one before it")) << odd.err;
   EXPECT_TRUE(contains(odd.err, "the last frame, at 8 s, comes sooner than 3 s")) << odd.err;
   EXPECT_TRUE(contains(text_of(folder / "odd/export/tracks_trackmate.xml"), "nSpots=\"3\""));
-  EXPECT_EQ(store::read_csv(text_of(folder / "odd/export/tracks_trackmate.csv")).rows.size(), 3U);
+  EXPECT_EQ(store::read_csv(text_of(folder / "odd/export/tracks_trackmate.csv")).rows.size(), 6U) << "with titles";
   EXPECT_EQ(store::read_csv(text_of(folder / "odd/export/tracks_celltrackr.csv")).rows.size(), 4U);
 }
 

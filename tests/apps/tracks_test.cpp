@@ -68,12 +68,25 @@ TEST_F(TracksVerb, ReadsWhatThisProgramWrites) {
     for (json& row : rows) row.erase(0); // the name of the track
     return rows;
   };
-  for (const char* file : {"tracks_celltrackr.csv --pixel 1 --time-unit s",
-                           "tracks_trackmate.csv --pixel 1 --time-unit s", "tracks_trackmate.xml"}) {
+  for (const char* file : {"tracks_celltrackr.csv", "tracks_trackmate.csv", "tracks_trackmate.xml"}) {
     const Ended ended = run(std::string("tracks e/") + file + options);
     ASSERT_EQ(ended.code, 0) << file << ended.err;
     EXPECT_EQ(positions(json::parse(ended.out).at("rows")), positions(own)) << file;
   }
+}
+
+TEST_F(TracksVerb, ReadsTheTablesOfAStudy) {
+  write("s.toml", "[ecm]\nradius = \"40 um\"\n[run]\nduration = \"16 s\"\n[output]\ntrack_interval = \"2 s\"\n");
+  write("st.toml", "title = \"Two\"\nscenario = \"s.toml\"\nreplicates = 1\n[sweep]\nprotrusion.number = [1, 2]\n");
+  ASSERT_EQ(run("study run st.toml -o st --quiet").code, 0);
+  ASSERT_EQ(run("export st --tracks").code, 0);
+  for (const char* file : {"tracks.csv", "tracks_spots.csv"}) {
+    const Ended ended = run(std::string("tracks st/export/") + file + " --json");
+    ASSERT_EQ(ended.code, 0) << file << ended.err;
+    EXPECT_EQ(json::parse(ended.out).at("tracks"), 2) << file;
+    EXPECT_EQ(json::parse(ended.out).at("positions"), 18) << file;
+  }
+  EXPECT_EQ(run("tracks st/export/tracks.csv -o ''").code, 2);
 }
 
 TEST_F(TracksVerb, FaultsAreToldAllAtOnceAndNothingIsWritten) {

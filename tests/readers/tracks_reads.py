@@ -2,8 +2,8 @@
 
 celltrackR, read.tracks.csv(file, sep = ",", pos.columns = 3:4): track, time and two coordinates, in this order, under a
 line of names; its defaults are blanks between columns, and three coordinates.
-TrackMate, spots as CSV: named columns, among them ID, TRACK_ID, POSITION_X, POSITION_Y, POSITION_T, FRAME. Its importer
-takes FRAME times the interval of an open picture for the time.
+TrackMate, spots as CSV: named columns, among them ID, TRACK_ID, POSITION_X, POSITION_Y, POSITION_T, FRAME; two lines of
+titles and one of units. Its importer leaves these out, and takes FRAME times the interval of an open picture for the time.
 TrackMate, "Export tracks to XML file": Tracks(nTracks, spaceUnits, frameInterval, timeUnits, from) of
 particle(nSpots) of detection(t, x, y, z), with t the number of the frame.
 """
@@ -27,11 +27,12 @@ ours = table("tracks.csv")
 assert len(ours) == 16, len(ours)
 
 for row, written in zip(ours, table("export/tracks_celltrackr.csv"), strict=True):
-    assert list(written) == ["id", "t", "x", "y"]
-    assert written["id"] == "1" and same(written["t"], row["t_s"])
-    assert same(written["x"], row["x_um"]) and same(written["y"], row["y_um"])
+    assert list(written) == ["id", "t_s", "x_um", "y_um"]
+    assert written["id"] == "1" and all(same(written[key], row[key]) for key in ("t_s", "x_um", "y_um"))
 
-for k, (row, spot) in enumerate(zip(ours, table("export/tracks_trackmate.csv"), strict=True)):
+*titles, units = table("export/tracks_trackmate.csv")[:3]
+assert len(titles) == 2 and units["POSITION_X"] == "(micron)" and units["POSITION_T"] == "(sec)", units
+for k, (row, spot) in enumerate(zip(ours, table("export/tracks_trackmate.csv")[3:], strict=True)):
     assert {"ID", "TRACK_ID", "POSITION_X", "POSITION_Y", "POSITION_Z", "POSITION_T", "FRAME", "RADIUS"} == set(spot)
     assert int(spot["ID"]) == k and int(spot["FRAME"]) == k and spot["TRACK_ID"] == "0"
     assert same(spot["POSITION_X"], row["x_um"]) and same(spot["POSITION_Y"], row["y_um"]) and float(spot["POSITION_Z"]) == 0

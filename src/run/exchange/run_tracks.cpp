@@ -89,7 +89,7 @@ std::string spots_csv(std::span<const RunTracks> runs) {
   const bool even = std::ranges::all_of(
       runs, [](const RunTracks& run) { return observe::even_times(observe::times_of(run.rows)).is_even(); });
   std::string text = fmt::format("Unique_ID,Condition,experiment_nb,Repeat,File_name,LABEL,ID,TRACK_ID,POSITION_X,"
-                                 "POSITION_Y,POSITION_Z,POSITION_T,{}RADIUS\n",
+                                 "POSITION_Y,POSITION_Z,POSITION_T,{}RADIUS,SPACE_UNIT,TIME_UNIT\n",
                                  even ? "FRAME," : "");
   std::uint64_t spot = 0;
   for (const Track& track : tracks_of(runs)) {
@@ -110,6 +110,8 @@ std::string spots_csv(std::span<const RunTracks> runs) {
                                      row.t};
       if (even) line.emplace_back(store::count(k));
       line.emplace_back(std::sqrt(row.area / std::numbers::pi));
+      line.emplace_back(std::string_view("um"));
+      line.emplace_back(std::string_view("s"));
       text += store::csv_line(line);
     }
   }

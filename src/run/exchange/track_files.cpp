@@ -30,7 +30,7 @@ std::vector<std::uint32_t> cells_of(std::span<const TrackRow> rows) {
 } // namespace
 
 std::string celltrackr_csv(std::span<const TrackRow> rows) {
-  std::string text = "id,t,x,y\n";
+  std::string text = "id,t_s,x_um,y_um\n";
   for (const TrackRow& row : rows)
     text += fmt::format("{},{},{},{}\n", number_of(row.cell), row.t, row.centre.x(), row.centre.y());
   return text;
@@ -38,8 +38,12 @@ std::string celltrackr_csv(std::span<const TrackRow> rows) {
 
 std::string trackmate_csv(std::span<const TrackRow> rows) {
   const bool even = observe::even_times(observe::times_of(rows)).is_even();
-  std::string text =
-      fmt::format("ID,TRACK_ID,POSITION_X,POSITION_Y,POSITION_Z,POSITION_T,{}RADIUS\n", even ? "FRAME," : "");
+  const char* const frame = even ? "FRAME," : "";
+  const char* const title = even ? "Frame," : "";
+  std::string text = fmt::format(
+      "ID,TRACK_ID,POSITION_X,POSITION_Y,POSITION_Z,POSITION_T,{0}RADIUS\nSpot ID,Track ID,X,Y,Z,T,{1}Radius\n"
+      "Spot ID,Track ID,X,Y,Z,T,{1}R\n,,(micron),(micron),(micron),(sec),{2}(micron)\n",
+      frame, title, even ? "," : "");
   std::map<std::uint32_t, std::size_t> frames; // rows so far of each cell
   for (std::size_t k = 0; k < rows.size(); ++k)
     text += fmt::format("{},{},{},{},0,{},{}{}\n", k, rows[k].cell, rows[k].centre.x(), rows[k].centre.y(), rows[k].t,

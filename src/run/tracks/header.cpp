@@ -92,7 +92,8 @@ private:
       const bool used = c == table.track || c == table.t || c == table.frame || c == table.x || c == table.y;
       if (own.group.empty() && !used && !table.unique && tells_movies_apart(m_titles[c].name)) table.group.push_back(c);
       if (own.made_up.empty() && tells_made_up(m_titles[c].name)) table.made_up = c;
-      if (m_titles[c].name == "unit" && table.layout == "imaris") table.unit = c;
+      if (m_titles[c].name == "space_unit" || (m_titles[c].name == "unit" && table.layout == "imaris")) table.unit = c;
+      if (m_titles[c].name == "time_unit") table.time_unit = c;
     }
     for (const std::string& name : own.group) {
       if (name == "none") continue;

@@ -17,8 +17,9 @@ struct Table {
 
   std::string layout; ///< "trackmate", ...; "named" if the caller names all columns
   char separator = ',';
-  std::vector<std::string> header;                          ///< empty if it has none
-  Column track, t, frame, x, y, z, made_up, measured, unit; ///< unit: of the length, in each row
+  std::vector<std::string> header; ///< empty if it has none
+  Column track, t, frame, x, y, z, made_up, measured;
+  Column unit, time_unit; ///< of the length and of t, in each row
   std::vector<std::size_t> group;
   bool unique = false;                ///< whether ids do not repeat over groups
   std::string x_unit, y_unit, t_unit; ///< as the header states them

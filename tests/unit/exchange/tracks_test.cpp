@@ -73,10 +73,11 @@ TEST(RunTracks, NameAllTimesThatARunLacks) {
 TEST(RunTracks, HaveATrackForEachCellOfEachRun) {
   const std::vector<RunTracks> runs = two_runs();
   const std::string spots = spots_csv(runs);
-  EXPECT_EQ(spots.substr(0, spots.find('\n')), "Unique_ID,Condition,experiment_nb,Repeat,File_name,LABEL,ID,TRACK_ID,"
-                                               "POSITION_X,POSITION_Y,POSITION_Z,POSITION_T,FRAME,RADIUS");
-  EXPECT_NE(spots.find("\naa_1,\"soft, or so\",1,1,aa,cell 2,4,1,3,4.5,0,60,1,1\n"), std::string::npos);
-  EXPECT_NE(spots.find("\nbb_2,stiff,2,2,bb,cell 1,7,2,9,9,0,60,1,1\n"), std::string::npos);
+  EXPECT_EQ(spots.substr(0, spots.find('\n')),
+            "Unique_ID,Condition,experiment_nb,Repeat,File_name,LABEL,ID,TRACK_ID,"
+            "POSITION_X,POSITION_Y,POSITION_Z,POSITION_T,FRAME,RADIUS,SPACE_UNIT,TIME_UNIT");
+  EXPECT_NE(spots.find("\naa_1,\"soft, or so\",1,1,aa,cell 2,4,1,3,4.5,0,60,1,1,um,s\n"), std::string::npos);
+  EXPECT_NE(spots.find("\nbb_2,stiff,2,2,bb,cell 1,7,2,9,9,0,60,1,1,um,s\n"), std::string::npos);
   EXPECT_EQ(tracks_csv(runs).substr(tracks_csv(runs).find("bb")), "bb_2,stiff,2,2,bb,cell 1,2,2,0,60\n");
 }
 
@@ -84,9 +85,10 @@ TEST(RunTracks, CountNoFramesOfUnevenRows) {
   std::vector<RunTracks> runs = two_runs();
   runs[0].rows.push_back(row(130, 0, {2, 3}));
   const std::string spots = spots_csv(runs);
-  EXPECT_EQ(spots.substr(0, spots.find('\n')), "Unique_ID,Condition,experiment_nb,Repeat,File_name,LABEL,ID,TRACK_ID,"
-                                               "POSITION_X,POSITION_Y,POSITION_Z,POSITION_T,RADIUS");
-  EXPECT_NE(spots.find("\naa_0,\"soft, or so\",1,1,aa,cell 1,3,0,2,3,0,130,1\n"), std::string::npos) << spots;
+  EXPECT_EQ(spots.substr(0, spots.find('\n')),
+            "Unique_ID,Condition,experiment_nb,Repeat,File_name,LABEL,ID,TRACK_ID,"
+            "POSITION_X,POSITION_Y,POSITION_Z,POSITION_T,RADIUS,SPACE_UNIT,TIME_UNIT");
+  EXPECT_NE(spots.find("\naa_0,\"soft, or so\",1,1,aa,cell 1,3,0,2,3,0,130,1,um,s\n"), std::string::npos) << spots;
 }
 
 TEST(OpenVt, HasTheColumnsOfItsPortal) {
