@@ -12,18 +12,37 @@ namespace {
 using UnitSizes = std::map<std::string, double, std::less<>>;
 
 const UnitSizes& lengths() {
-  static const UnitSizes sizes{{"um", 1.0},          {"\u00b5m", 1.0},    {"\u03bcm", 1.0},     {"micron", 1.0},
-                               {"microns", 1.0},     {"micrometer", 1.0}, {"micrometers", 1.0}, {"micrometre", 1.0},
-                               {"micrometres", 1.0}, {"nm", 1e-3},        {"mm", 1e3},          {"cm", 1e4}};
+  static const UnitSizes sizes{{"um", 1.0},
+                               {"\u00b5m", 1.0},
+                               {"\u03bcm", 1.0},
+                               {"micron", 1.0},
+                               {"microns", 1.0},
+                               {"micrometer", 1.0},
+                               {"micrometers", 1.0},
+                               {"micrometre", 1.0},
+                               {"micrometres", 1.0},
+                               {"mikrometer", 1.0},
+                               {"microm\u00e8tre", 1.0},
+                               {"microm\u00e8tres", 1.0},
+                               {"micr\u00f3metro", 1.0},
+                               {"micr\u00f3metros", 1.0},
+                               {"micras", 1.0},
+                               {"nm", 1e-3},
+                               {"mm", 1e3},
+                               {"cm", 1e4}};
   return sizes;
 }
 
 const UnitSizes& times() {
-  static const UnitSizes sizes{{"ms", 1e-3},   {"msec", 1e-3},   {"s", 1.0},        {"sec", 1.0},
-                               {"secs", 1.0},  {"second", 1.0},  {"seconds", 1.0},  {"min", 60.0},
-                               {"mins", 60.0}, {"minute", 60.0}, {"minutes", 60.0}, {"h", 3600.0},
-                               {"hr", 3600.0}, {"hrs", 3600.0},  {"hour", 3600.0},  {"hours", 3600.0},
-                               {"d", 86400.0}, {"day", 86400.0}, {"days", 86400.0}};
+  static const UnitSizes sizes{
+      {"ms", 1e-3},      {"msec", 1e-3},     {"s", 1.0},       {"sec", 1.0},       {"secs", 1.0},
+      {"second", 1.0},   {"seconds", 1.0},   {"min", 60.0},    {"mins", 60.0},     {"minute", 60.0},
+      {"minutes", 60.0}, {"h", 3600.0},      {"hr", 3600.0},   {"hrs", 3600.0},    {"hour", 3600.0},
+      {"hours", 3600.0}, {"sek", 1.0},       {"sekunde", 1.0}, {"sekunden", 1.0},  {"seconde", 1.0},
+      {"secondes", 1.0}, {"seg", 1.0},       {"segundo", 1.0}, {"segundos", 1.0},  {"minuten", 60.0},
+      {"minuto", 60.0},  {"minutos", 60.0},  {"std", 3600.0},  {"stunde", 3600.0}, {"stunden", 3600.0},
+      {"heure", 3600.0}, {"heures", 3600.0}, {"hora", 3600.0}, {"horas", 3600.0},  {"d", 86400.0},
+      {"day", 86400.0},  {"days", 86400.0}};
   return sizes;
 }
 
@@ -55,6 +74,29 @@ std::string plain_name(std::string_view written) {
     name += c;
   }
   return std::string(trimmed(name));
+}
+
+/// Names of several programs, and as people write them. What is not ASCII is left out: "clula" is "C\u00e9lula".
+Layout any_table() {
+  return {.name = "any",
+          .track = {"unique_id",  "track_id",    "track id",   "trackid",     "track",      "track n*", "track number",
+                    "track name", "track no",    "particle",   "particle_id", "trajectory", "cell_id",  "cell id",
+                    "cellid",     "cell",        "cell no",    "cell number", "tid",        "spur",     "spur-id",
+                    "zelle",      "zellen-id",   "zell-id",    "zellnummer",  "zelle nr",   "bahn",     "piste",
+                    "cellule",    "trajectoire", "id cellule", "clula",       "celula",     "pista",    "trayectoria",
+                    "traza",      "id"},
+          .t = {"t", "time", "position_t", "position t", "time point", "timepoint", "time_point", "zeit", "zeitpunkt",
+                "uhrzeit", "temps", "heure", "tiempo", "hora"},
+          .frame = {"frame", "frames", "frame number", "frame_number", "frame no", "slice", "slice n*", "image",
+                    "imagenumber", "bild", "bildnummer", "einzelbild", "imagen", "cadre", "trame", "fotograma",
+                    "cuadro"},
+          .x = {"x", "position_x", "position x", "pos_x", "x position", "x_position", "x-position", "centroid_x",
+                "centroid x", "x_centroid", "x-koordinate", "x koordinate", "coordonne x", "coordenada x", "posicin x",
+                "location_center_x"},
+          .y = {"y", "position_y", "position y", "pos_y", "y position", "y_position", "y-position", "centroid_y",
+                "centroid y", "y_centroid", "y-koordinate", "y koordinate", "coordonne y", "coordenada y", "posicin y",
+                "location_center_y"},
+          .z = {"z", "position_z", "position z", "pos_z", "z position", "z-position"}};
 }
 
 } // namespace
@@ -102,18 +144,15 @@ const std::vector<Layout>& layouts() {
        .z = {"location_center_z"}},
       {.name = "napari", .track = {"track_id"}, .t = {"t"}},
       {.name = "celltrackr", .track = {"id"}, .t = {"t"}, .frame = {"frame"}},
-      {.name = "any",
-       .track = {"unique_id", "track_id", "track id", "trackid", "track", "track n*", "track number", "track name",
-                 "particle", "particle_id", "trajectory", "cell_id", "cell id", "cellid", "cell", "tid", "id"},
-       .t = {"t", "time", "position_t", "position t", "time point", "timepoint", "time_point"},
-       .frame = {"frame", "frames", "frame number", "frame_number", "frame no", "slice", "slice n*", "image",
-                 "imagenumber"},
-       .x = {"x", "position_x", "position x", "pos_x", "x position", "x_position", "centroid_x", "centroid x",
-             "location_center_x"},
-       .y = {"y", "position_y", "position y", "pos_y", "y position", "y_position", "centroid_y", "centroid y",
-             "location_center_y"},
-       .z = {"z", "position_z", "position z", "pos_z"}}};
+      any_table()};
   return all;
+}
+
+bool holds_steps(std::string_view plain) {
+  static const std::vector<std::string_view> names{"dx",      "dy",     "delta_x", "delta_y",        "delta x",
+                                                   "delta y", "step_x", "step_y",  "displacement_x", "displacement_y"};
+  return plain.find("trackobjects_trajectory") != std::string_view::npos
+         || std::ranges::find(names, plain) != names.end();
 }
 
 bool names_time(std::string_view plain) {

@@ -23,6 +23,9 @@ struct Layout {
 /// In the order in which they are tried.
 const std::vector<Layout>& layouts();
 
+/// Names of columns of steps, which are no positions.
+bool holds_steps(std::string_view plain_name);
+
 /// Names of columns of time in any table.
 bool names_time(std::string_view plain_name);
 

@@ -75,9 +75,8 @@ TEST(TrackTable, NamesOfRowsAsRWritesThem) {
 
 TEST(TrackTable, ColumnsOfTheCaller) {
   const std::string own = "Zelle;Bild;Ort x [px];Ort y [px];dt\n1;0;0;0;7\n1;1;3;4;7\n";
-  EXPECT_EQ(faults(own, own_units),
-            "f:1:1: has no column for the track, the time, x, y that is known; its columns are Zelle, Bild, Ort x "
-            "[px], Ort y [px], dt. Name them: --columns \"track=NAME,t=NAME,x=NAME,y=NAME\"");
+  EXPECT_EQ(faults(own, own_units), "f:1:1: has no column for x, y that is known; its columns are Zelle, Bild, Ort x "
+                                    "[px], Ort y [px], dt. Name them: --columns \"track=NAME,t=NAME,x=NAME,y=NAME\"");
   const Tracks cells = of_text(own, with_columns("track=Zelle,frame=Bild,x=Ort x [px],y=ort Y [px]"));
   EXPECT_EQ(cells.layout, "named");
   EXPECT_EQ(speed(cells), 300.0);
@@ -96,6 +95,36 @@ TEST(TrackTable, OneLayoutAlone) {
   EXPECT_EQ(faults("track,t,x,y\n1,0,0,0\n", options), "f:1:1: has no column for the track, the time that is known of "
                                                        "trackpy; its columns are track, t, x, y. Name them: "
                                                        "--columns \"track=NAME,t=NAME,x=NAME,y=NAME\"");
+}
+
+TEST(TrackTable, TitlesInOtherLanguages) {
+  for (const char* head : {"Zelle;Zeit [min];X [\u00b5m];Y [\u00b5m]",
+                           "Spur;Zeit (Minuten);x-Position (Mikrometer);y-Position (Mikrometer)",
+                           "Cellule;Temps (min);X (\u00b5m);Y (\u00b5m)",
+                           "Piste;Temps [minutes];Position X [microm\u00e8tres];Position Y [microm\u00e8tres]",
+                           "C\u00e9lula;Tiempo (min);Posici\u00f3n X (\u00b5m);Posici\u00f3n Y (\u00b5m)",
+                           "Trayectoria;Tiempo [minutos];X [micras];Y [micras]"})
+    EXPECT_DOUBLE_EQ(speed(of_text(std::string(head) + "\n1;0;0;0\n1;5;3;4\n", few())), 60.0) << head;
+  EXPECT_DOUBLE_EQ(speed(of_text("Zelle,Bild,x_um,y_um\n1,0,0,0\n1,1,3,4\n", few(calibrated(1.0, 300.0)))), 60.0);
+}
+
+TEST(TrackTable, OtherTables) {
+  EXPECT_NE(faults("frame,x0,y0,x1,y1\n0,1,1,2,2\n1,1,1,2,2\n", own_units).find("a pair of columns for each track"),
+            std::string::npos);
+  EXPECT_NE(
+      faults("t,Cell 1 x,Cell 1 y,Cell 2 x,Cell 2 y\n0,1,1,2,2\n", own_units).find("a pair of columns for each track"),
+      std::string::npos);
+  EXPECT_NE(faults("1 0 5 0\n2 0 5 0\n", own_units).find("man_track.txt: label, begin, end, parent"),
+            std::string::npos);
+  EXPECT_NE(faults("1.5 0 5 0\n2 0 5 0\n", own_units).find("--columns \"track=1,t=2,x=3,y=4\""), std::string::npos);
+  const std::string steps =
+      "ImageNumber,TrackObjects_Label_15,TrackObjects_TrajectoryX_15,TrackObjects_TrajectoryY_15\n1,1,0,0\n2,1,3,4\n";
+  EXPECT_NE(faults(steps, own_units).find("CellProfiler's table without Location_Center_X and _Y"), std::string::npos);
+  EXPECT_EQ(
+      faults(steps, with_columns("track=TrackObjects_Label_15,frame=ImageNumber,x=TrackObjects_TrajectoryX_15,y=4")),
+      "f: TrackObjects_TrajectoryX_15 holds steps, and no positions\nf: TrackObjects_TrajectoryY_15 holds steps, and "
+      "no positions");
+  EXPECT_NE(faults("track,frame,x,y,dx,dy\n1,0,0,0,0,0\n1,1,1,1,1,1\n", with_columns("x=dx,y=dy")), "none");
 }
 
 TEST(TrackTable, OtherTablesOfTrackMate) {
