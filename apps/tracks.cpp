@@ -177,7 +177,8 @@ void add_tracks(CLI::App& app, Action& chosen) {
                    "Localisation error of a coordinate [um], taken off the mean square displacement");
   verb->add_option("--resamples", options->resamples, "Draws of the bootstrap (default 200)")
       ->check(CLI::Range(0, 100000));
-  verb->add_option("-o,--output", options->output, "Write the tracks into this CSV file");
+  verb->add_option("-o,--output", options->output, "Write the tracks into this CSV file")
+      ->check([](const std::string& file) { return std::string(file.empty() ? "names no file" : ""); });
   verb->add_flag("--force", options->force, "Replace that file");
   verb->add_flag("--json", options->json, "Print JSON");
   verb->callback([options, &chosen] { chosen = [options] { return read_and_tell(*options); }; });

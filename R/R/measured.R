@@ -20,6 +20,7 @@ read_measured_tracks <- function(file, pixel = NULL, frame_interval = NULL, time
   )
   rows <- .table(out, "track")
   names(rows)[names(rows) == "track"] <- "id"
+  if (is.character(rows$id)) rows$id <- sub("^'([-=+@])", "\\1", rows$id) # the apostrophe guards it from spreadsheets
   text <- paste(printed, collapse = "\n")
   attr(rows, "interval_s") <- as.numeric(sub("(?s).*\"interval_s\": *([^,\\s]+).*", "\\1", text, perl = TRUE))
   attr(rows, "notes") <- .notes(text)

@@ -264,7 +264,8 @@ def read(file: str | os.PathLike[str], *, pixel: float | None = None, frame_inte
 
 
 def from_frame(frame: pandas.DataFrame, **options: Any) -> Tracks:
-    """Tracks from a data frame with columns for track, time, x and y. It is read as ``read`` reads a table, with the same options.
+    """Tracks from a data frame with columns for track, time, x and y. Names of its index are columns, too; times may be
+    timedelta or datetime. It is read as ``read`` reads a table, with the same options.
 
     >>> import pandas
     >>> spots = pandas.DataFrame({"cell": [1, 1, 1, 1], "min": [0, 5, 10, 15], "x_um": [0, 1, 2, 3], "y_um": [0, 0, 0, 0]})
@@ -275,7 +276,7 @@ def from_frame(frame: pandas.DataFrame, **options: Any) -> Tracks:
         raise _arguments.wrong("frame", frame, "a data frame")
     with tempfile.TemporaryDirectory(prefix="matrigrate.") as folder:
         file = os.path.join(folder, "frame.csv")
-        frame.to_csv(file, index=False)
+        frame.to_csv(file, index=any(name is not None and name not in frame.columns for name in frame.index.names))
         try:
             return read(file, **options)
         except ConfigurationError as error:

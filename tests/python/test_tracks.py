@@ -150,13 +150,25 @@ class Files(common.InTemporaryFolder):
 class Frames(unittest.TestCase):
     def spots(self):
         rows = [(k, 300.0 * frame, x, y) for k, walk in enumerate(walks()) for frame, (x, y) in enumerate(walk)]
-        return pandas.DataFrame(rows, columns=["cell no", "t_s", "x_um", "y_um"])
+        return pandas.DataFrame(rows, columns=["who", "t_s", "x_um", "y_um"])
 
     def test_are_read_as_files_are(self):
-        cells = tracks.from_frame(self.spots(), columns={"track": "cell no"})
+        cells = tracks.from_frame(self.spots(), columns={"track": "who"})
         self.assertEqual((len(cells), cells.interval), (3, 300.0))
         for track, walk in zip(cells.values(), walks(), strict=True):
             np.testing.assert_allclose(track, walk, rtol=1e-12)
+
+    def test_index_and_clock(self):
+        spots = self.spots().rename(columns={"who": "cell"})
+        plain = tracks.from_frame(spots)
+        for indexed in (spots.set_index("cell"), spots.set_index(["cell", "t_s"]), spots.set_index("cell", drop=False),
+                        spots.iloc[::-1]):
+            np.testing.assert_array_equal(tracks.from_frame(indexed)["0"], plain["0"])
+        clock = pandas.to_timedelta(spots["t_s"], unit="s")
+        for times in (clock, pandas.Timestamp("2024-05-03 23:50") + clock, pandas.Timestamp("2024-05-03 23:50", tz="UTC") + clock):
+            cells = tracks.from_frame(spots.drop(columns="t_s").assign(time=times))
+            self.assertEqual(cells.interval, 300.0)
+            np.testing.assert_array_equal(cells["0"], plain["0"])
 
     def test_wrong_ones_are_refused_in_words(self):
         with self.assertRaises(matrigrate.ConfigurationError) as caught:
@@ -286,9 +298,8 @@ class BothSides(common.InTemporaryFolder):
                            capture_output=True)
             own = tracks.of(matrigrate.load(common.runs / name), interval=120).readouts(resamples=0)["value"]
             self.assertTrue(math.isfinite(own["speed_um_per_h"]))
-            for file, units in (("tracks_celltrackr.csv", {"pixel": 1, "time_unit": "s"}),
-                                ("tracks_trackmate.csv", {"pixel": 1, "interval": 60}), ("tracks_trackmate.xml", {})):
-                read = tracks.read(out / file, fewest=1, **units).readouts(120, resamples=0)["value"]
+            for file in ("tracks_celltrackr.csv", "tracks_trackmate.csv", "tracks_trackmate.xml"):
+                read = tracks.read(out / file, fewest=1).readouts(120, resamples=0)["value"]
                 np.testing.assert_allclose(read.to_numpy(), own.to_numpy(), rtol=1e-9, err_msg=f"{name} {file}")
 
     def test_study(self):

@@ -249,6 +249,7 @@ Scales calibrate(Spots& spots, const TrackOptions& options, Findings& findings) 
     s.y *= scales.um_per_unit;
     s.t = (scales.by_frame ? s.frame : s.t) * scales.s_per_unit;
   }
+  spots.t_digit *= scales.by_frame ? 0.0 : scales.s_per_unit;
   check_bounds(spots, findings);
   return scales;
 }

@@ -13,10 +13,13 @@ namespace matrigrate::tracks {
 
 namespace {
 
-constexpr std::size_t longest = 10'000;            ///< intervals of a track
+constexpr std::size_t longest = 100'000;           ///< intervals of a track
 constexpr std::size_t most_intervals = 20'000'000; ///< of all tracks
 
 constexpr const char* no_name = "NAME";
+
+/// The last digit of times, over the interval: beyond this the number of intervals cannot be told.
+constexpr double most_rounding = 0.4;
 
 /// Steps of a track that are not all across gaps by chance.
 constexpr std::size_t enough_steps = 5;
@@ -31,7 +34,7 @@ struct Path {
 class Grid {
 public:
   Grid(const Spots& spots, bool exact, const TrackOptions& options, Findings& findings)
-      : m_options(options), m_findings(findings), m_exact(exact) {
+      : m_options(options), m_findings(findings), m_exact(exact), m_digit(exact ? 0.0 : spots.t_digit) {
     if (!spots.apart.empty()) m_apart = spots.apart;
     m_paths.resize(spots.names.size());
     for (std::size_t k = 0; k < m_paths.size(); ++k) m_paths[k].name = spots.names[k];
@@ -120,23 +123,52 @@ private:
     m_frequent = m_most || (most->second > 1 && 3 * most->second >= steps.size());
     std::ranges::nth_element(steps, steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2));
     m_interval = m_frequent ? most->first : steps[steps.size() / 2];
+    const double usual = m_interval;
+    double duration = 0.0, intervals = 0.0;
+    for (const double step : steps) {
+      duration += step;
+      intervals += std::max(1.0, std::round(step / usual));
+    }
+    const double mean = duration / intervals;
+    m_rounded = m_digit > std::max(m_options.jitter, 1e-6) * mean && m_digit <= most_rounding * mean
+                && std::ranges::any_of(steps, [&](double step) {
+                     return std::abs(step / usual - std::round(step / usual)) > std::max(m_options.jitter, 1e-6);
+                   });
+    if (m_rounded) m_interval = roundest(mean);
   }
+
+  /// The number of the fewest digits that times rounded so cannot tell from an interval.
+  double roundest(double interval) const {
+    double most = 1.0;
+    for (const Path& path : m_paths) most = std::max(most, (path.spots.back().t - path.spots.front().t) / interval);
+    for (int digits = 1; digits < 6; ++digits)
+      if (const double one = std::strtod(fmt::format("{:.{}e}", interval, digits - 1).c_str(), nullptr);
+          std::abs(one - interval) * most <= m_digit)
+        return one;
+    return interval;
+  }
+
+  /// By how much a step may differ from whole intervals, as a share of one.
+  double tolerance() const { return std::max({m_options.jitter, 1e-6, m_rounded ? 1.01 * m_digit / m_interval : 0.0}); }
 
   /// A track on the grid from its first position on; the first step that does not fit is its fault.
   void place(const Path& path, Tracks& tracks) {
     Track track{
         .name = path.name, .start = path.spots.front().t, .k = {0}, .x = {path.spots[0].x}, .y = {path.spots[0].y}};
     std::size_t smallest = longest;
+    double off = 0.0;
     for (std::size_t i = 1; i < path.spots.size(); ++i) {
       const Spot& spot = path.spots[i];
       const double step = (spot.t - path.spots[i - 1].t) / m_interval;
       const double whole = std::round(step);
-      if (!(std::abs(step - whole) <= std::max(m_options.jitter, 1e-6)) || whole < 1.0) return tell_step(path, i);
+      if (!(std::abs(step - whole) <= tolerance()) || whole < 1.0) return tell_step(path, i);
       if (whole + static_cast<double>(track.span()) > static_cast<double>(longest))
         return m_findings.fault(spot.line, fmt::format("track {} spans more than {} intervals of {:g} s",
                                                        excerpt(path.name, 40), longest, m_interval));
       const auto by = static_cast<std::size_t>(whole);
       m_scatter.push_back(step * m_interval - whole * m_interval);
+      off += m_scatter.back();
+      if (m_rounded && std::abs(off) > 1.01 * m_digit) return tell_step(path, i); // rounding does not add up
       smallest = std::min(smallest, by);
       track.k.push_back(track.span() + by);
       track.x.push_back(spot.x);
@@ -174,6 +206,11 @@ private:
       largest = std::max(largest, std::abs(s));
     }
     if (m_exact || !(largest > 1e-4 * m_interval)) return m_interval;
+    if (m_rounded) {
+      m_findings.note(
+          fmt::format("times are rounded to {:g} s: positions are taken as every {:g} s", m_digit, m_interval));
+      return m_interval;
+    }
     double duration = 0.0, intervals = 0.0;
     std::size_t path = 0;
     for (const Track& track : tracks.tracks) {
@@ -196,7 +233,7 @@ private:
     for (Track& track : tracks.tracks) {
       const double at = (track.start - first) / tracks.interval;
       // The interval may be wrong in its last digits, so that times far from the first are less certain.
-      if (std::abs(at - std::round(at)) <= std::max(m_options.jitter, 1e-6)) {
+      if (std::abs(at - std::round(at)) <= tolerance()) {
         track.start = m_exact ? track.start : first + std::round(at) * tracks.interval;
       } else {
         ++off;
@@ -210,6 +247,8 @@ private:
   const TrackOptions& m_options;
   Findings& m_findings;
   bool m_exact;
+  double m_digit;                ///< that times are written to [s]
+  bool m_rounded = false;        ///< whether it explains how steps differ
   std::string m_apart = no_name; ///< the column that tells movies apart
   std::vector<Path> m_paths;
   double m_interval = 1.0;

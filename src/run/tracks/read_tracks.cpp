@@ -2,6 +2,7 @@
 
 #include "base/file.hpp"
 #include "statistics/sample.hpp"
+#include "tables/table.hpp"
 #include "tracks/grid.hpp"
 #include "tracks/layouts.hpp"
 #include "tracks/leaps.hpp"
@@ -20,15 +21,6 @@ namespace {
 constexpr std::size_t largest_file = std::size_t{1} << 28;
 constexpr double fast = 1800.0; ///< [um/h]: 30 um/min, of the fastest crawling cells (keratocytes, neutrophils)
 constexpr double slow = 0.02;   ///< [um/h]
-
-/// A field of CSV: in quotes if it has to be.
-std::string csv_field(const std::string& text) {
-  const bool plain = text.find_first_of(",;\t\"\n#") == std::string::npos && trimmed(text) == text;
-  if (plain) return text;
-  std::string quoted = "\"";
-  for (const char c : text) quoted += c == '"' ? "\"\"" : std::string(1, c);
-  return quoted + "\"";
-}
 
 /// Speed from position to position, median over all steps [um/h].
 double median_speed(const Tracks& tracks) {
@@ -133,7 +125,7 @@ std::string plain_csv(const Tracks& tracks) {
   std::string csv = "track,t_s,x_um,y_um\n";
   for (const Track& track : tracks.tracks)
     for (std::size_t i = 0; i < track.k.size(); ++i)
-      csv += fmt::format("{},{},{},{}\n", csv_field(track.name),
+      csv += fmt::format("{},{},{},{}\n", store::csv_text(track.name),
                          track.start + static_cast<double>(track.k[i]) * tracks.interval, track.x[i], track.y[i]);
   return csv;
 }

@@ -36,6 +36,7 @@ struct Spots {
   bool decimal_comma = false;
   std::string length_unit; ///< as the file states it; empty if it does not
   std::string time_unit;   ///< of t
+  double t_digit = 0.0;    ///< the last one that t is written to; 0 if it is not known
   bool has_t() const { return !columns.t.empty(); }
   bool has_frames() const { return !columns.frame.empty(); }
   std::size_t nowhere = 0; ///< rows without a position

@@ -32,14 +32,15 @@ std::optional<bool> truth(std::string_view field) {
   return std::nullopt;
 }
 
-/// An id without the ".0" that it gets where ids are read as numbers.
-std::string id_text(const std::string& field) {
-  if (!field.ends_with(".0") || field.size() < 3) return field;
-  const std::string whole = field.substr(0, field.size() - 2);
-  return std::all_of(whole.begin() + (whole[0] == '-' ? 1 : 0), whole.end(),
-                     [](char c) { return c >= '0' && c <= '9'; })
-             ? whole
-             : field;
+/// An id without the ".0" that it gets where ids are read as numbers, and without the apostrophe that guards it from
+/// being computed by a spreadsheet.
+std::string id_text(std::string_view field) {
+  if (field.size() > 1 && field[0] == '\'' && std::string_view("=+-@").find(field[1]) != std::string_view::npos)
+    field.remove_prefix(1);
+  const std::string_view whole = field.substr(0, field.ends_with(".0") ? field.size() - 2 : 0);
+  const std::size_t sign = whole.starts_with('-') ? 1 : 0;
+  const bool number = whole.size() > sign && whole.find_first_not_of("0123456789", sign) == std::string_view::npos;
+  return std::string(number ? whole : field);
 }
 
 /// Reads the rows of a table.
@@ -372,18 +373,23 @@ private:
       m_findings.fault(row.line, fmt::format("{}: times of the clock go over midnight: write them with the date",
                                              m_table.name(m_table.t)));
     m_last[own->second] = *t;
+    const std::string& time = field(row, m_table.t);
+    if (const std::size_t sign = time.find(m_signs.decimal); sign != std::string::npos)
+      m_decimals = std::max(m_decimals, time.size() - sign - 1);
     m_spots.spots.push_back({.track = own->second, .t = *t, .frame = *frame, .x = *x, .y = *y, .line = row.line});
     m_rows.push_back(&row);
   }
 
-  /// Imaris states the unit in each row.
+  /// Imaris and this program state units in each row.
   void find_unit(const SheetRow& row) {
-    if (!m_table.unit) return;
-    const std::string& unit = field(row, m_table.unit);
-    if (m_spots.length_unit.empty()) m_spots.length_unit = unit;
-    if (unit != m_spots.length_unit)
-      m_findings.fault(row.line,
-                       fmt::format("is in {}, rows before it in {}", excerpt(unit), excerpt(m_spots.length_unit)));
+    for (const auto& [column, own] :
+         {std::pair(m_table.unit, &m_spots.length_unit), std::pair(m_table.time_unit, &m_spots.time_unit)}) {
+      if (!column) continue;
+      const std::string& unit = field(row, column);
+      if (own->empty()) *own = unit;
+      if (unit != *own)
+        m_findings.fault(row.line, fmt::format("is in {}, rows before it in {}", excerpt(unit), excerpt(*own)));
+    }
   }
 
   void tell(bool repeat, const std::vector<std::size_t>& movies) {
@@ -416,7 +422,9 @@ private:
     m_spots.separator = m_table.separator;
     m_spots.decimal_comma = m_signs.decimal == ',';
     if (m_spots.length_unit.empty()) m_spots.length_unit = m_table.x_unit;
-    m_spots.time_unit = m_clock.runs ? "s" : m_table.t_unit;
+    if (m_table.t && !m_clock.runs) m_spots.t_digit = std::pow(10.0, -static_cast<double>(m_decimals));
+    if (m_clock.runs) m_spots.time_unit = "s";
+    if (m_spots.time_unit.empty()) m_spots.time_unit = m_table.t_unit;
     const auto name = [this](Table::Column column) { return m_table.name(column); };
     m_spots.columns = {.track = name(m_table.track),
                        .t = name(m_table.t),
@@ -441,6 +449,7 @@ private:
   std::set<std::string> m_heights;
   std::set<std::string> m_no_tracks; ///< ids
   std::size_t m_loose = 0;
+  std::size_t m_decimals = 0; ///< of times
 };
 
 } // namespace
@@ -452,6 +461,9 @@ Spots table_spots(std::string_view text, const TrackOptions& options, Findings& 
     findings.fault(0, "has a header, but no rows");
     return {};
   }
+  for (const Table::Column c : {table->x, table->y})
+    if (const std::string name = column_title(table->name(c)).name; holds_steps(name))
+      findings.fault(0, fmt::format("{} holds steps, and no positions", table->name(c)));
   const Findings before = findings;
   SpotReader reader(*table, options, findings);
   reader.read();

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <fmt/format.h>
+
 /// Tracks at one interval.
 namespace matrigrate::tracks {
 namespace {
@@ -32,8 +34,30 @@ TEST(TrackGrid, AStepOfItsOwnIsALineOfItsTrack) {
                          "0\na,180,2,2\na,240,2,2\na,300,2,2\na,360,2,2\n",
                    few()),
             "f:6:1: track b has steps of 120 s and more, most have 60 s: one interval is needed");
-  EXPECT_EQ(faults(head + "a,0,0,0\na,60,1,0\na,120,1,0\na,6000000,2,0\n", few()),
-            "f:5:1: track a spans more than 10000 intervals of 60 s");
+  EXPECT_EQ(faults(head + "a,0,0,0\na,60,1,0\na,120,1,0\na,60000000,2,0\n", few()),
+            "f:5:1: track a spans more than 100000 intervals of 60 s");
+}
+
+TEST(TrackGrid, TimesMayBeRounded) {
+  const auto rounded = [](double interval, const char* title, int digits, double unit) {
+    std::string text = fmt::format("track,{},x_um,y_um\n", title);
+    for (int cell = 0; cell < 3; ++cell)
+      for (int k = 0; k < 20; ++k)
+        text += fmt::format("{},{:.{}f},{},0\n", cell, (k + cell) * interval / unit, digits, k);
+    return text;
+  };
+  const Tracks cells = of_text(rounded(120.0, "t_h", 2, 3600.0), few());
+  EXPECT_EQ(cells.interval, 120.0);
+  EXPECT_EQ(cells.missing(), 0U);
+  EXPECT_TRUE(notes(cells, "times are rounded to 36 s: positions are taken as every 120 s"));
+  EXPECT_EQ(of_text(rounded(150.0, "t_min", 0, 60.0), few()).interval, 150.0);
+  EXPECT_EQ(of_text(rounded(300.0, "t_h", 2, 3600.0), few()).interval, 300.0);
+  EXPECT_NE(faults(rounded(60.0, "t_h", 2, 3600.0), few()), "none") << "too coarse";
+  EXPECT_NE(
+      faults("track,t_min,x_um,y_um\na,0,0,0\na,3,1,0\na,6,1,0\na,10,2,2\na,14,3,3\na,18,3,3\na,21,3,3\na,24,3,3\n",
+             few()),
+      "none")
+      << "rounding does not add up";
 }
 
 TEST(TrackGrid, TracksOutOfPhaseKeepTheirTimes) {

@@ -116,6 +116,9 @@ TEST(PlainTracks, AreReadBackTheSame) {
   const Tracks again = of_text(plain_csv(cells), few());
   EXPECT_EQ(plain_csv(again), plain_csv(cells));
   EXPECT_EQ(again.tracks[0].name, "a,b");
+  const Tracks formulas = of_text("track,t_s,x_um,y_um\n=1+1,0,0,0\n=1+1,60,1,0\n@x,0,0,0\n@x,60,1,0\n", few());
+  EXPECT_EQ(plain_csv(formulas), "track,t_s,x_um,y_um\n'=1+1,0,0,0\n'=1+1,60,1,0\n'@x,0,0,0\n'@x,60,1,0\n");
+  EXPECT_EQ(of_text(plain_csv(formulas), few()).tracks[0].name, "=1+1");
 }
 
 } // namespace
