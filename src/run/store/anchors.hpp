@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-/// The adhesions of a frame as points, for programs that draw fields. Test: tests/unit/exchange/vtk_files_test.cpp
+/// The adhesions of a frame as points, for programs that draw fields. Test: tests/unit/store/field_file_test.cpp
 namespace matrigrate::store {
 
 /// An entry for each protrusion that adheres, in the order of the frame's protrusions.
