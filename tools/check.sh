@@ -32,7 +32,7 @@ tidied() {
 fuzzed() {
   local target name
   export ASAN_OPTIONS=allocator_may_return_null=1:detect_leaks=0 # HDF5 leaks, and asks for memory of any size
-  for target in tests/fuzz/corpus/*/; do
+  for target in build/fuzz/corpus/*/; do
     name=$(basename "$target")
     mkdir -p "build/fuzz/found/$name"
     say "fuzzing $name for $1 s"
