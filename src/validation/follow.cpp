@@ -103,7 +103,7 @@ Result follow(const Parameters& p) {
                     .y_label = "displacement since the end of growth (µm)"};
   report::Plot pull{.title = "Force of the adhesion",
                     .x_label = "time since the end of maturation (min)",
-                    .y_label = "force over f_mat F_am"};
+                    .y_label = "force over 2 f_mat F_am"};
   struct Setting {
     double E, F_am; // [Pa], [nN]
   };
@@ -126,14 +126,14 @@ Result follow(const Parameters& p) {
                                "the body comes to rest, at its adhesion or at the gel"});
       if (one.f_mat >= strong)
         result.claims.push_back(
-            {fmt::format("force over f_mat F_am {:.0f} min after maturation at {}", judged / 60.0, label), one.force,
+            {fmt::format("force over 2 f_mat F_am {:.0f} min after maturation at {}", judged / 60.0, label), one.force,
              0.1, 0.0, "F_adh \"decreases only when the protrusion shortens\", and the gel hinders little",
              Sense::at_most});
     }
     if (one.f_mat <= weak)
       result.claims.push_back(
-          {fmt::format("force over f_mat F_am {:.0f} min after maturation at {}", judged / 60.0, label), one.force, 0.1,
-           0.0, "a weak pull stays under p_th, so that the gel carries the body", Sense::at_least});
+          {fmt::format("force over 2 f_mat F_am {:.0f} min after maturation at {}", judged / 60.0, label), one.force,
+           0.1, 0.0, "a weak pull stays under p_th, so that the gel carries the body", Sense::at_least});
     result.remarks.push_back(
         fmt::format("{}: f_mat {:.2f}; moved {:.1f} µm, of it {:.1f} in the last ten minutes; {:.0f} min after "
                     "maturation the adhesion "

@@ -29,7 +29,7 @@ double disassembly_rate(double F, double f_mat, const AdhesionParameters& p);
 /// The same of a law that a user may have changed.   @param t  since contraction began [s]
 double disassembly_rate(double F, double f_mat, double t, const AdhesionParameters& p, const Law& law);
 
-/// f_mat F_am of Eqs. (7) and (9): the full pull of both strands (MODEL.md, I28) [nN].
+/// 2 f_mat F_am, which Eqs. (7) and (9) take: the full pull of both strands (MODEL.md, I28) [nN].
 double mature_pull(double f_mat, const Parameters& p);
 
 /// Whether the force breaks the adhesion, second case of Eq. (7): F >= f_rupt mature_pull(), where ruptures are on.

@@ -52,7 +52,7 @@ export interface StudyRun {
   path?: Lines | null;
   /** Outline of the cell at the end [um], in the coordinates of the path. */
   outline?: Lines | null;
-  /** force over f_mat F_am at disassembly, one number an adhesion [-]. */
+  /** force over 2 f_mat F_am at disassembly, one number an adhesion [-]. */
   f_adh_rel?: number[];
 }
 

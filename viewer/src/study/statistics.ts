@@ -109,7 +109,7 @@ export function adhesionForces(made: Grid): HTMLElement | null {
           layout: {
             barmode: "overlay",
             margin: { l: 50, r: 8, t: 6, b: 40 },
-            xaxis: axis("force / (f_mat F_am)", { range: [0, count * bin] }),
+            xaxis: axis("force / (2 f_mat F_am)", { range: [0, count * bin] }),
             yaxis: axis("share of adhesions", { range: [0, top], nticks: 5 }),
           },
         }),

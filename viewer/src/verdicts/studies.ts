@@ -19,7 +19,7 @@ export function studySection(name: string, study: StudyData): HTMLElement {
     ...part("-paths", "Paths from a common origin", paths(made)),
     ...part("-shapes", "Cells at the end", shapes(made)),
     ...part("-msd", "Mean square displacement", msd(study, made)),
-    ...part("-adhesions", "Force at which adhesions ended, over f_mat F_am", adhesionForces(made)),
+    ...part("-adhesions", "Force at which adhesions ended, over 2 f_mat F_am", adhesionForces(made)),
     ...part(
       "",
       "Read-outs by parameter",
