@@ -61,6 +61,7 @@ Finding look_at(const std::string& file, const std::vector<std::string>& overrid
     } else {
       const Parameters p = read_parameters(file, overrides, start_rules());
       found.notes = run::uneven_outputs(p);
+      if (std::string bias = run::fault_of_bias(p); !bias.empty()) found.notes.push_back(std::move(bias));
       if (std::string cost = run::cost_of_reference_steps(p); !cost.empty()) found.notes.push_back(std::move(cost));
     }
   } catch (const ConfigurationError& error) {

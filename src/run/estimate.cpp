@@ -1,6 +1,7 @@
 #include "run/estimate.hpp"
 
 #include "base/time_text.hpp"
+#include "cues/sensing.hpp"
 #include "ecm/law/material.hpp"
 #include "parameters/laws/law.hpp"
 #include "simulation/start.hpp"
@@ -13,6 +14,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 
 namespace matrigrate::run {
 
@@ -70,11 +72,12 @@ double wall_time(const Parameters& p, double particles) {
   return longer * steps(p) * particles * listed_neighbours(p.ecm) * (seconds_a_pair + decades * solve);
 }
 
-/// Rate at which a particle of a round cell initiates protrusions, without cues [1/s].
-double initiation_rate(const Parameters& p) {
-  const Law law("laws.initiation_rate", p);
-  constexpr double angle = 0.0, occupancy = 0.5, ligand = 1.0, alignment = 0.0;
-  return law.changed() ? law({angle, 1.0 / p.cell.radius, occupancy, ligand, alignment}) : p.protrusion.initiation_rate;
+/// Rate at which a particle of the cell at the start initiates protrusions, in the mean along its cortex [1/s].
+double initiation_rate(const Parameters& p, const State& start) {
+  if (start.cells.empty()) return p.protrusion.initiation_rate;
+  const std::vector<double> rate = along_cortex(Law("laws.initiation_rate", p), start.cells.front(), start.ecm, p);
+  if (rate.empty()) return p.protrusion.initiation_rate;
+  return std::accumulate(rate.begin(), rate.end(), 0.0) / static_cast<double>(rate.size());
 }
 
 } // namespace
@@ -92,7 +95,9 @@ RunCost run_cost(const Parameters& p, std::size_t particles) {
 }
 
 Derived derived(const Parameters& p) {
-  const EcmState ecm = initial_state(p).ecm;
+  const State start = initial_state(p);
+  const EcmState& ecm = start.ecm;
+  const double initiation = initiation_rate(p, start);
   const Moduli m = moduli(p.ecm);
   const auto clamped = static_cast<std::size_t>(std::ranges::count(ecm.clamped, 1));
   const int in_front = p.cell.particles / 2;
@@ -109,8 +114,8 @@ Derived derived(const Parameters& p) {
           .neighbours = static_cast<double>(lattice_patch(p.ecm, 2.0 * p.ecm.smoothing_length).size()) - 1.0,
           .segment_length = initial_segment_length(p.cell),
           .protrusion_width = 2.0 * p.protrusion.half_width * initial_segment_length(p.cell),
-          .first_wait = 1.0 / (p.cell.particles * initiation_rate(p)),
-          .wait = 1.0 / (in_front * initiation_rate(p)),
+          .first_wait = 1.0 / (p.cell.particles * initiation),
+          .wait = 1.0 / (in_front * initiation),
           .longest_step = as_run.run.time_step,
           .steps = steps(as_run),
           .limits = limits,
@@ -142,6 +147,16 @@ std::optional<Quicker> with_longer_steps(const Parameters& p, const Derived& d) 
   q.run.time_step = longest_step(q, d.limits);
   if (q.run.time_step <= p.run.time_step) return std::nullopt;
   return Quicker{q.run.time_step, wall_time(q, static_cast<double>(d.particles()))};
+}
+
+std::string fault_of_bias(const Parameters& p) {
+  const Law bias("laws.initiation_bias", p);
+  if (!bias.changed()) return {};
+  const State start = initial_state(p);
+  if (start.cells.empty()) return {};
+  for (const Cell& cell : start.cells)
+    if (!propensity(cell, start.ecm, p, bias).empty()) return {};
+  return "laws.initiation_bias is 0 along the whole cortex at the start; protrusions begin there as without a bias";
 }
 
 std::string cost_of_reference_steps(const Parameters& p) {
@@ -200,6 +215,7 @@ std::vector<std::string> warnings(const Parameters& p, const Derived& d) {
                     "matrix will look like a fluid.",
                     p.run.duration, d.shear_time));
   for (const std::string& sentence : uneven_outputs(p)) found.push_back(sentence + ".");
+  if (const std::string bias = fault_of_bias(p); !bias.empty()) found.push_back(bias + ".");
   if (p.ecm.hourglass_weight == 0.0)
     found.emplace_back("without the hourglass penalty, particles pair up and drift in modes that cost no energy.");
   return found;

@@ -71,6 +71,10 @@ std::string cost_of_reference_steps(const Parameters& p);
 /// the ends of steps, so that they are unevenly spaced then. Test: tests/apps/exchange_test.cpp
 std::vector<std::string> uneven_outputs(const Parameters& p);
 
+/// Whether laws.initiation_bias is 0 along the whole cortex of each cell at the start, so that protrusions begin as
+/// without a bias: a sentence; empty if it is not. Test: tests/apps/laws_test.cpp
+std::string fault_of_bias(const Parameters& p);
+
 /// What the estimate of the wall time rests on.
 std::string wall_time_basis();
 

@@ -3,7 +3,7 @@
 #include "base/failure.hpp"
 #include "base/file.hpp"
 #include "base/time_text.hpp"
-#include "parameters/laws/law.hpp"
+#include "parameters/laws/laws.hpp"
 #include "parameters/schema.hpp"
 #include "parameters/write.hpp"
 #include "run/provenance.hpp"
@@ -187,13 +187,25 @@ std::string run_title(const Parameters& p, const std::string& scenario) {
                      p.run.seed);
 }
 
+std::string bias_sentence(const Json& record) {
+  const Json n = value_of(record, "steps_without_bias"), steps = value_of(record, "steps");
+  if (!n.is_number_unsigned() || n == 0 || !steps.is_number_unsigned()) return {};
+  return fmt::format("laws.initiation_bias was 0 along the whole cortex in {} of {} steps; protrusions began there as "
+                     "without a bias",
+                     n.get<std::uint64_t>(), steps.get<std::uint64_t>());
+}
+
 std::vector<report::Fact> run_facts(const Parameters& p, const Json& record, const std::string& scenario) {
   std::vector<report::Fact> facts{
       {"scenario", scenario}, {"Young's modulus E", stiffness_text(p)}, {"seed", fmt::format("{}", p.run.seed)}};
   const auto add = [&](const char* name, const std::string& value) {
     if (!value.empty()) facts.push_back({name, value});
   };
-  for (const Row* law : changed_laws(p)) facts.push_back({std::string(law->path), value_text(*law, p)});
+  add("bias of initiation", bias_sentence(record));
+  for (const Row* law : changed_laws(p)) {
+    const std::string constants = constants_of(*law, p);
+    facts.push_back({std::string(law->path), value_text(*law, p) + (constants.empty() ? "" : ", " + constants)});
+  }
   const auto commands = commands_of(record);
   for (std::size_t i = 0; i < commands.size(); ++i) add(i == 0 ? "command" : "branched by", command_text(commands[i]));
   const std::string end = text_of(record, "end");
@@ -209,6 +221,7 @@ std::vector<report::Fact> run_facts(const Parameters& p, const Json& record, con
 Json laws_json(const Parameters& p) {
   Json laws = Json::object();
   for (const Row* law : changed_laws(p)) laws[std::string(law->path)] = Json::parse(value_text(*law, p));
+  if (!laws.empty() && !p.laws.constants.empty()) laws["laws.constants"] = p.laws.constants;
   return laws;
 }
 
@@ -228,6 +241,7 @@ Json to_json(const RunRecord& record, const Parameters& p) {
             {"trajectory_hash", record.trajectory_hash},
             {"configuration_hash", record.configuration_hash},
             {"laws", laws_json(p)},
+            {"steps_without_bias", record.steps_without_bias},
             {"files", record.files},
             {"frames_lost", lost.count},
             {"frames_lost_s", lost.count > 0 ? Json{lost.first, lost.last} : Json()},

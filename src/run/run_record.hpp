@@ -30,9 +30,10 @@ struct RunRecord {
   std::string reason;                ///< why it ended early; empty if it did not
   std::optional<FailureCause> cause; ///< of a numerical failure
   std::uint64_t steps = 0;
-  double t = 0.0;                 ///< simulated time reached [s]
-  double march_wall_time = 0.0;   ///< spent in the steps, those before a restart too [s]
-  double earlier_wall_time = 0.0; ///< of this run before it was resumed [s]
+  double t = 0.0;                       ///< simulated time reached [s]
+  double march_wall_time = 0.0;         ///< spent in the steps, those before a restart too [s]
+  double earlier_wall_time = 0.0;       ///< of this run before it was resumed [s]
+  std::uint64_t steps_without_bias = 0; ///< in which the bias of a cell was 0 along its whole cortex
   store::LostFrames lost_frames;
   std::string trajectory_hash;
   std::string configuration_hash;
@@ -107,7 +108,12 @@ store::FieldOrigin field_origin(Parameters p, std::string trajectory_hash);
 /// Heading of the run's report: "cell: E = 200 Pa, seed 1".
 std::string run_title(const Parameters& p, const std::string& scenario);
 
-/// The texts of the laws that are not the default ones, by their keys.
+/// "the bias of initiation was 0 along the whole cortex in 120 of 240 steps; ...": what a record tells of them; empty
+/// of none.
+/// @param record  as in run.json
+std::string bias_sentence(const nlohmann::ordered_json& record);
+
+/// The texts of the laws that are not the default ones, by their keys, and of the constants that they may name.
 nlohmann::ordered_json laws_json(const Parameters& p);
 
 /// What was run, when and how: scenario, stiffness, seed, changed laws, the commands that started it and its branches,
@@ -118,8 +124,8 @@ std::vector<report::Fact> run_facts(const Parameters& p, const nlohmann::ordered
 
 /// {status, exit_code, reason, cause: to_string(FailureCause) or null, seed, steps, t_s, duration_s, wall_time_s,
 /// ms_per_step, trajectory_hash,
-///  configuration_hash, laws: laws_json(), files: {name: fingerprint}, frames_lost, frames_lost_s: [first, last] or
-///  null, command_line, scenario, commands, start, end, lineage, and the keys of provenance()}
+///  configuration_hash, laws: laws_json(), steps_without_bias, files: {name: fingerprint}, frames_lost, frames_lost_s:
+///  [first, last] or null, command_line, scenario, commands, start, end, lineage, and the keys of provenance()}
 nlohmann::ordered_json to_json(const RunRecord& record, const Parameters& p);
 
 } // namespace matrigrate::run

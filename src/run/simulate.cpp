@@ -54,6 +54,7 @@ public:
     if (m_record.commands.empty()) m_record.commands.push_back(options.command_line);
     m_record.lineage = std::move(start.lineage);
     m_record.earlier_wall_time = start.earlier_wall_time;
+    m_record.steps_without_bias = start.steps_without_bias;
     m_folder.emplace(options.folder, m_p, m_record, m_simulation->s, std::move(start.memory), start.frames_from);
     m_record.lost_frames = m_folder->lost_frames();
     if (m_record.lost_frames.count == 0) return;
@@ -109,6 +110,7 @@ private:
     };
     const auto each_step = [&](const State& now) {
       note_time();
+      if (w.health.without_bias > 0) ++m_record.steps_without_bias;
       m_folder->see(now, w, m_record);
       m_observer.step(now);
       m_stop = m_observer.stop_request();
@@ -195,8 +197,10 @@ private:
   /// How the run ended, in a sentence.
   std::string status_text() const {
     const std::string reached = fmt::format("{} of {}", time_text(m_record.t), time_text(m_p.run.duration));
+    const std::string bias = bias_sentence(to_json(m_record, m_p));
     const std::string lost =
-        m_record.lost_frames.count == 0 ? "" : fmt::format(" {}.", store::to_text(m_record.lost_frames));
+        (m_record.lost_frames.count == 0 ? "" : fmt::format(" {}.", store::to_text(m_record.lost_frames)))
+        + (bias.empty() ? "" : fmt::format(" Note: {}.", bias));
     if (m_record.status() == RunStatus::done)
       return fmt::format("Done: {}, {} steps.{}", time_text(m_record.t), m_record.steps, lost);
     return fmt::format("{} after {}: {}.{}", m_record.status() == RunStatus::failed ? "Failed" : "Interrupted", reached,

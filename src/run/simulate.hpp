@@ -37,6 +37,7 @@ struct RunStart {
   std::string scenario{};                           ///< its name; empty: that of the command line
   std::vector<std::vector<std::string>> commands{}; ///< that started it, oldest first; none: the command line
   double earlier_wall_time = 0.0;                   ///< of the runs that this one continues [s]
+  std::uint64_t steps_without_bias = 0;             ///< of the run so far (RunRecord)
 };
 
 /// How a run is carried out.

@@ -217,6 +217,9 @@ RunStart start_from(const FoundCheckpoint& found, const Json& record) {
   }
   if (record.is_object() && record.contains("wall_time_s") && record.at("wall_time_s").is_number())
     start.earlier_wall_time = std::max(0.0, record.at("wall_time_s").get<double>());
+  if (record.is_object() && record.contains("steps_without_bias")
+      && record.at("steps_without_bias").is_number_unsigned())
+    start.steps_without_bias = record.at("steps_without_bias").get<std::uint64_t>();
   return start;
 }
 

@@ -27,7 +27,8 @@ TEST_F(LawsOfScenarios, StandInTheRecordAndTheReportAndTheIdentity) {
                           "'laws.constants=l_s = 5 um'");
   ASSERT_EQ(ended.code, 0) << ended.err;
   EXPECT_EQ(record("plain").at("laws"), json::object());
-  EXPECT_EQ(record("stalled").at("laws"), (json{{"laws.growth_force", "max(0, 1 - l/l_s)"}}));
+  EXPECT_EQ(record("stalled").at("laws"),
+            (json{{"laws.growth_force", "max(0, 1 - l/l_s)"}, {"laws.constants", "l_s = 5 um"}}));
   EXPECT_NE(record("stalled").at("configuration_hash"), record("plain").at("configuration_hash"));
   EXPECT_NE(record("stalled").at("trajectory_hash"), record("plain").at("trajectory_hash"));
   EXPECT_EQ(json::parse(page_data("plain/report.html")).at("laws"), json::array());
@@ -35,6 +36,7 @@ TEST_F(LawsOfScenarios, StandInTheRecordAndTheReportAndTheIdentity) {
   ASSERT_EQ(shown.size(), 1U);
   EXPECT_EQ(shown[0].at("name"), "laws.growth_force");
   EXPECT_EQ(shown[0].at("text"), "max(0, 1 - l/l_s)");
+  EXPECT_EQ(shown[0].at("constants"), "l_s = 5 um");
   const json& curve = shown[0].at("curves").at(0);
   EXPECT_EQ(curve.at("over"), "l");
   EXPECT_EQ(curve.at("at"), "A = 1");
@@ -45,6 +47,19 @@ TEST_F(LawsOfScenarios, StandInTheRecordAndTheReportAndTheIdentity) {
   EXPECT_EQ(record("again").at("trajectory_hash"), record("stalled").at("trajectory_hash"));
   ASSERT_EQ(run("resume stalled --at '60 s' --hours 0.025 --seed 1 -o branch --quiet").code, 0);
   EXPECT_EQ(record("branch").at("trajectory_hash"), record("stalled").at("trajectory_hash")) << "after a break";
+}
+
+TEST_F(LawsOfScenarios, ABiasOfZeroAllAroundIsNoneAndIsTold) {
+  ASSERT_EQ(run("run cell.toml -o unbiased --quiet").code, 0);
+  const std::string bias = " --set laws.initiation_bias=0";
+  const Ended checked = run("check cell.toml" + bias);
+  EXPECT_EQ(checked.code, 0) << checked.err;
+  EXPECT_TRUE(contains(checked.out, "laws.initiation_bias is 0 along the whole cortex at the start")) << checked.out;
+  const Ended ended = run("run cell.toml -o biased" + bias);
+  EXPECT_TRUE(contains(ended.out, "laws.initiation_bias was 0 along the whole cortex in ")) << ended.out;
+  EXPECT_EQ(record("biased").at("trajectory_hash"), record("unbiased").at("trajectory_hash"));
+  EXPECT_GT(record("biased").at("steps_without_bias"), 0);
+  EXPECT_EQ(record("unbiased").at("steps_without_bias"), 0);
 }
 
 TEST_F(LawsOfScenarios, AreDrawnBesideThoseOfThePaper) {

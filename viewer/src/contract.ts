@@ -150,7 +150,7 @@ export interface ProtrusionRow {
   f_mat: number | null;
   /** At disassembly. */
   force_nN: number | null;
-  /** force_nN over f_mat F_am. */
+  /** force_nN over 2 f_mat F_am, of both strands. */
   f_adh_rel: number | null;
   /** Why the adhesion ended: "disassembly", "rupture", "lost", "unadhered"; "" or null while it has not. */
   cause: string | null;
@@ -187,6 +187,8 @@ export interface ChangedLaw {
   name: string;
   /** The formula. */
   text: string;
+  /** The user's constants that it names, with their values: "F_c = 0.05 nN". */
+  constants?: string;
   /** "" of a ratio. */
   unit: string;
   /** Over each argument that it depends on, where others are as `at` says: "f_mat = 0.5"; "" if none matters. null where a law has no value. */

@@ -42,6 +42,15 @@ std::vector<Surroundings> surroundings(const CortexState& c, const EcmState& ecm
   return all;
 }
 
+/// Mean of a law over directions all around, at the middles of steps of 5 degrees.
+template <class Value>
+double mean_over_angles(const Value& value) {
+  constexpr int n = 72;
+  double sum = 0.0;
+  for (int k = 0; k < n; ++k) sum += value(std::numbers::pi * ((2.0 * k + 1.0) / n - 1.0));
+  return sum / n;
+}
+
 } // namespace
 
 double occupancy(double c, double K_d) { return c / (K_d + c); }
@@ -52,16 +61,25 @@ std::vector<double> along_cortex(const Law& law, const Cell& cell, const EcmStat
   const Vec2 centre = centre_of_mass(c);
   const bool senses = law.uses("occupancy") || law.uses("ligand") || law.uses("alignment");
   const std::vector<Surroundings> around = senses ? surroundings(c, ecm, p) : std::vector<Surroundings>(c.size());
+  const bool all_around = !cell.polarization && law.uses("angle");
   std::vector<double> values(c.size());
+  if (all_around && !senses && !law.uses("kappa")) {
+    const double mean = mean_over_angles([&](double angle) { return law({angle, 0.0, 0.0, 0.0, 0.0}); });
+    std::ranges::fill(values, mean);
+    return values;
+  }
   for (std::size_t i = 0; i < c.size(); ++i) {
     const Vec2 outwards = c.x[i] - centre;
     const double direction = std::atan2(outwards.y(), outwards.x());
-    const double angle =
-        cell.polarization ? std::remainder(direction - *cell.polarization, 2.0 * std::numbers::pi) : 0.0;
     const Surroundings& near = around[i];
     const double share = near.weight > 0.0 ? 1.0 / near.weight : 0.0;
     const double alignment = near.axis.dot(Vec2(std::cos(2.0 * direction), std::sin(2.0 * direction)));
-    values[i] = law({angle, curvature(c, i), share * near.occupied, share * near.ligand, share * alignment});
+    const auto value = [&](double angle) {
+      return law({angle, curvature(c, i), share * near.occupied, share * near.ligand, share * alignment});
+    };
+    values[i] = all_around          ? mean_over_angles(value)
+                : cell.polarization ? value(std::remainder(direction - *cell.polarization, 2.0 * std::numbers::pi))
+                                    : value(0.0);
   }
   return values;
 }
@@ -69,11 +87,10 @@ std::vector<double> along_cortex(const Law& law, const Cell& cell, const EcmStat
 std::vector<double> propensity(const Cell& cell, const EcmState& ecm, const Parameters& p, const Law& bias) {
   std::vector<double> factor = along_cortex(bias, cell, ecm, p);
   const double highest = factor.empty() ? 0.0 : std::ranges::max(factor); // so that no sum overflows
+  if (highest <= 0.0) return {};
   double sum = 0.0;
-  if (highest > 0.0)
-    for (double& a : factor) sum += a /= highest;
-  if (sum > 0.0) // else no particle initiates
-    for (double& a : factor) a *= static_cast<double>(factor.size()) / sum;
+  for (double& a : factor) sum += a /= highest;
+  for (double& a : factor) a *= static_cast<double>(factor.size()) / sum;
   return factor;
 }
 

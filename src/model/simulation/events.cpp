@@ -61,7 +61,7 @@ void advance_attractant(State& s, const Parameters& p, double dt, Workspace& w) 
   if (w.diffusion) w.diffusion->advance(s.ecm, p.cues.diffusion, attractant_loss(s, p.cues), dt);
 }
 
-void advance_protrusions(Cell& cell, const EcmState& ecm, const Instant& now, const Parameters& p, double dt,
+bool advance_protrusions(Cell& cell, const EcmState& ecm, const Instant& now, const Parameters& p, double dt,
                          const Laws& laws, std::span<const double> given) {
   const Vec2 centre = centre_of_mass(cell.cortex);
   const std::vector<Vec2> n = normals(cell.cortex);
@@ -69,11 +69,13 @@ void advance_protrusions(Cell& cell, const EcmState& ecm, const Instant& now, co
   update_protrusions(cell, ecm, now, p, dt, laws);
   polarize(cell, p.polarization, centre, dt, laws.polarization_rate);
   const std::vector<std::uint8_t> of_front = front_of(cell);
-  const std::vector<double> propensity_with_cues = product(propensity(cell, ecm, p, laws.initiation_bias), given);
+  const std::vector<double> bias = propensity(cell, ecm, p, laws.initiation_bias);
+  const std::vector<double> propensity_with_cues = product(bias, given);
   const std::vector<double> rate = along_cortex(laws.initiation_rate, cell, ecm, p);
   initiate(cell, now, p, dt,
            {of_front, n, centre, area(cell.cortex) / initial_area(p.cell), propensity_with_cues, rate});
   ratchet_rest_lengths(cell.cortex, p.cell, membership(cell, p).soft);
+  return laws.initiation_bias.changed() && bias.empty();
 }
 
 void require_inside(const State& s, const Parameters& p) {

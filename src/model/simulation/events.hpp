@@ -21,7 +21,8 @@ void advance_attractant(State& s, const Parameters& p, double dt, Workspace& w);
 /// @param now    the end of the step
 /// @param given  factor on the initiation of each particle of the cortex from outside (Workspace::propensity); empty: 1
 ///               for all [-]
-void advance_protrusions(Cell& cell, const EcmState& ecm, const Instant& now, const Parameters& p, double dt,
+/// @return whether laws.initiation_bias is 0 along the whole cortex, so that protrusions begin as without it
+bool advance_protrusions(Cell& cell, const EcmState& ecm, const Instant& now, const Parameters& p, double dt,
                          const Laws& laws, std::span<const double> given = {});
 
 /// @throws NumericalFailure if a cell is too near the rim of the matrix (MODEL.md, I22)

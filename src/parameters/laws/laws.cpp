@@ -1,5 +1,8 @@
 #include "parameters/laws/laws.hpp"
 
+#include <regex>
+#include <sstream>
+
 namespace matrigrate {
 
 Laws::Laws(const Parameters& p)
@@ -8,6 +11,18 @@ Laws::Laws(const Parameters& p)
       initiation_bias("laws.initiation_bias", p), polarization_rate("laws.polarization_rate", p),
       degradation_tip("laws.degradation_tip", p), degradation_protrusion("laws.degradation_protrusion", p),
       degradation_body("laws.degradation_body", p) {}
+
+std::string constants_of(const Row& law, const Parameters& p) {
+  static const std::regex form(R"(\s*(\w+)\s*=\s*(.*\S)\s*)");
+  const std::string text = text_of(law, p);
+  std::istringstream all(p.laws.constants);
+  std::string named;
+  std::smatch found;
+  for (std::string one; std::getline(all, one, ',');)
+    if (std::regex_match(one, found, form) && std::regex_search(text, std::regex("\\b" + found[1].str() + "\\b")))
+      named += (named.empty() ? "" : ", ") + found[1].str() + " = " + found[2].str();
+  return named;
+}
 
 const Laws& usual_laws() {
   static const Laws laws;

@@ -2,6 +2,8 @@
 
 #include "parameters/laws/law.hpp"
 
+#include <string>
+
 namespace matrigrate {
 
 /// The laws of a set of parameters, except that of the fibres, which has a table (ecm/law/fibre_table.hpp): derived
@@ -23,6 +25,9 @@ struct Laws {
   Law degradation_protrusion;
   Law degradation_body;
 };
+
+/// The constants of the user that a law names, as given: "F_c = 0.05 nN, r_c = 0.2 1/s".
+std::string constants_of(const Row& law, const Parameters& p);
 
 /// The default ones; any thread may use them.
 const Laws& usual_laws();

@@ -1,6 +1,6 @@
 #include "report/run_page.hpp"
 
-#include "parameters/laws/law.hpp"
+#include "parameters/laws/laws.hpp"
 #include "parameters/schema.hpp"
 #include "report/film_json.hpp"
 #include "tables/csv.hpp"
@@ -159,6 +159,7 @@ Json laws_json(const Parameters& p) {
                         {"usual", curve.usual}});
     list.push_back({{"name", law->path},
                     {"text", bare(value_text(*law, p))},
+                    {"constants", constants_of(*law, p)},
                     {"unit", shown_unit(law->unit)},
                     {"curves", std::move(curves)}});
   }

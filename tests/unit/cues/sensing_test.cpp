@@ -128,6 +128,31 @@ TEST(Bias, KnowsCurvatureAndTheAngleToThePolarization) {
   EXPECT_TRUE(along_cortex(Law(), s.cell, s.ecm, s.p).empty());
 }
 
+// What vanishes straight ahead must not keep the first protrusion from beginning.
+TEST(Bias, IsTheMeanOverAnglesBeforeThereIsAPolarization) {
+  Scene s;
+  const auto mean_of = [&](const std::string& law) {
+    s.p.laws.initiation_rate = law;
+    const std::vector<double> rate = along_cortex(Laws(s.p).initiation_rate, s.cell, s.ecm, s.p);
+    return std::accumulate(rate.begin(), rate.end(), 0.0) / static_cast<double>(rate.size());
+  };
+  EXPECT_NEAR(mean_of("1e-3*min(1, abs(angle))"), 1e-3 * (1.0 - 0.5 / pi), 1e-6) << "of the integral over a turn";
+  EXPECT_NEAR(mean_of("1e-3*(angle > 0)"), 0.5e-3, 1e-9);
+  EXPECT_NEAR(mean_of("1e-3*kappa*abs(angle)"), 1e-3 / s.p.cell.radius * pi / 2, 1e-7);
+  for (const double factor : s.biased("(angle > 0)*1")) EXPECT_NEAR(factor, 1.0, 1e-12);
+  s.cell.polarization = 0.0;
+  EXPECT_NEAR(s.at(s.biased("(angle > 0)*1"), pi / 2), 2.0, 0.02);
+}
+
+TEST(Bias, ThatIsZeroAllAroundIsNone) {
+  Scene s;
+  s.ecm.ligand.assign(s.ecm.size(), 0.2);
+  std::ranges::fill(s.ecm.f, 1.0);
+  EXPECT_TRUE(s.biased("ligand > 0.5 ? 1 : 0").empty());
+  EXPECT_TRUE(s.biased("0").empty());
+  EXPECT_EQ(s.biased("ligand > 0.1 ? 1 : 0").size(), s.cell.cortex.size());
+}
+
 TEST(Ligand, IsWhatAdhesionsHoldOnTo) {
   Scene s;
   for (const Vec2& X : s.ecm.X) s.ecm.ligand.push_back(X.x() > 0.0 ? 1.0 : 0.0);

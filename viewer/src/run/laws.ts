@@ -52,7 +52,7 @@ export function laws(all: ChangedLaw[], width: number): HTMLElement {
   return h("div", {}, ...all.flatMap((law) => {
     const words = law.name.slice(law.name.indexOf(".") + 1).replaceAll("_", " ");
     return [
-      h("h3", {}, `${capital(words)}: `, h("code", {}, law.text)),
+      h("h3", {}, `${capital(words)}: `, h("code", {}, law.text), law.constants ? h("span", {}, " where ", h("code", {}, law.constants)) : ""),
       h("div", { class: "plots", style: `grid-template-columns:repeat(${columns},minmax(0,1fr))` }, ...law.curves.map((of) =>
         figure(curve(words, law, of, column), `Over ${of.over}${of.at ? `, at ${pretty(of.at)}` : ""}. The dashed curve is the default law.`))),
     ];
