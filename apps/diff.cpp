@@ -56,7 +56,7 @@ void add_diff(CLI::App& app, Action& chosen) {
   verb->footer(
       "Each of A and B is the folder of a run or a scenario file. Of two runs it also compares version, status, "
       "read-outs\n"
-      "and trajectory, and tells from when on the tracks differ.\n"
+      "and trajectory, and says from when on the tracks differ.\n"
       "--json prints {a, b, parameters: [[path, a, b]], same_trajectory, first_difference_s, runs: {key: [a, b]},\n"
       "readouts: [[name, a, b]]}; of scenarios the first three. The exit code is 0 whether they differ or not.");
   const auto a = std::make_shared<std::string>(), b = std::make_shared<std::string>();

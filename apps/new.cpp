@@ -72,7 +72,7 @@ void add_new(CLI::App& app, Action& chosen) {
   CLI::App* verb = app.add_subcommand("new", "Write a commented scenario file; never overwrites one");
   const auto options = std::make_shared<NewArguments>();
   verb->add_option("FILE", options->file, "The file to write, such as scenario.toml")->required();
-  verb->add_option("--preset", options->preset, "What to start from: one of those of `matrigrate list`")
+  verb->add_option("--preset", options->preset, "What to start from: a preset of `matrigrate list`")
       ->capture_default_str();
   verb->add_option("--schema", options->schema,
                    "The JSON schema that the first line names for editors, seen from FILE (default: "

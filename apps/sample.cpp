@@ -212,7 +212,7 @@ void add_sample(CLI::App& app, Action& chosen, std::vector<std::string> command_
   CLI::Option* preset =
       verb->add_option("--preset", options->preset, "What they change: see `matrigrate list` (default: baseline)");
   verb->add_option("--scenario", options->scenario, "Change this scenario file instead")->excludes(preset);
-  verb->add_option("--targets", options->targets, "Measured read-outs to tell the distance from");
+  verb->add_option("--targets", options->targets, "Measured read-outs, from which the distance is computed");
   verb->add_option("--seed", options->parameters.seed, "Seed of the random numbers: run.seed");
   verb->add_option("--hours", options->parameters.hours, "Simulated time in hours, or as \"30 min\": run.duration");
   add_threads(*verb, options->parameters, "Threads, 0 for all: run.threads; never changes a result");

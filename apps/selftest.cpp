@@ -131,8 +131,8 @@ int selftest(const SelftestArguments& options) {
   print(fmt::format(
       "\nhash {}: {}\n", hash,
       hash == known_hash
-          ? "that of the release build with g++ 12 on x86-64 with FMA, so runs agree with it to the last bit"
-          : "not that of the release build with g++ 12 on x86-64 with FMA. With another compiler, processor\n"
+          ? "the hash of the release build with g++ 12 on x86-64 with FMA, so runs agree with it to the last bit"
+          : "not the hash of the release build with g++ 12 on x86-64 with FMA. With another compiler, processor\n"
             "family or library of mathematical functions this is no fault: the same bits are promised\n"
             "for one program on one machine, and results of others agree in their statistics only."));
   return all ? done : numerical;

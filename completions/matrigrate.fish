@@ -39,7 +39,7 @@ complete -c matrigrate -n '__matrigrate_at' -l version -d 'Display program versi
 
 complete -c matrigrate -n '__matrigrate_at new' -F
 complete -c matrigrate -n '__matrigrate_at new' -s h -l help -d 'Print this help message and exit'
-complete -c matrigrate -n '__matrigrate_at new' -l preset -x -a 'baseline second-closures soft stiff weak-contraction strong-contraction frequent-protrusions brief-adhesions long-protrusions sensitive-adhesions insensitive-adhesions fibrillar one-protrusion two-protrusions three-protrusions four-protrusions one-protrusion-fibres two-protrusions-fibres three-protrusions-fibres four-protrusions-fibres stiffness-gradient stiffness-step channel microtrack pillars walled-channel interface chemotaxis attractant-source openvt-migration openvt-chemotaxis-linear openvt-chemotaxis-half-normal openvt-chemotaxis-exponential haptotaxis contact-guidance curved-fibres two-cells' -d 'What to start from: one of those of `matrigrate list` (default: baseline)'
+complete -c matrigrate -n '__matrigrate_at new' -l preset -x -a 'baseline second-closures soft stiff weak-contraction strong-contraction frequent-protrusions brief-adhesions long-protrusions sensitive-adhesions insensitive-adhesions fibrillar one-protrusion two-protrusions three-protrusions four-protrusions one-protrusion-fibres two-protrusions-fibres three-protrusions-fibres four-protrusions-fibres stiffness-gradient stiffness-step channel microtrack pillars walled-channel interface chemotaxis attractant-source openvt-migration openvt-chemotaxis-linear openvt-chemotaxis-half-normal openvt-chemotaxis-exponential haptotaxis contact-guidance curved-fibres two-cells' -d 'What to start from: a preset of `matrigrate list` (default: baseline)'
 complete -c matrigrate -n '__matrigrate_at new' -l schema -r -F -d 'The JSON schema that the first line names for editors, seen from FILE (default: scenario.schema.json, which is then written beside FILE)'
 
 complete -c matrigrate -n '__matrigrate_at check' -F
@@ -111,7 +111,7 @@ complete -c matrigrate -n '__matrigrate_at export' -l movie -d 'movie.mp4 of the
 complete -c matrigrate -n '__matrigrate_at export' -l fps -x -d 'Of --movie: pictures a second (default: 30)'
 complete -c matrigrate -n '__matrigrate_at export' -l seconds -x -d 'Of --movie: how long it takes (default: a second for 15 min of the run)'
 complete -c matrigrate -n '__matrigrate_at export' -l size -x -d 'Of --movie and --png: width and height in pixels (default: 1280x720)'
-complete -c matrigrate -n '__matrigrate_at export' -l follow -d 'Of --movie: the view stays on the cell, as that of --png does'
+complete -c matrigrate -n '__matrigrate_at export' -l follow -d 'Of --movie: the view stays on the cell, as with --png'
 complete -c matrigrate -n '__matrigrate_at export' -l whole -d 'Of --png: the whole matrix, not the cell'
 complete -c matrigrate -n '__matrigrate_at export' -l layer -x -a 'degradation displacement von_mises pressure fibre_von_mises' -d 'What the matrix is coloured by (default: displacement; of --movie degradation)'
 complete -c matrigrate -n '__matrigrate_at export' -s o -l output -x -a '(__fish_complete_directories)' -d 'Folder to write into (default: DIR/export)'
@@ -212,7 +212,7 @@ complete -c matrigrate -n '__matrigrate_at demo' -l no-open -d 'Do not open the 
 complete -c matrigrate -n '__matrigrate_at sample' -s h -l help -d 'Print this help message and exit'
 complete -c matrigrate -n '__matrigrate_at sample' -l preset -x -a 'baseline second-closures soft stiff weak-contraction strong-contraction frequent-protrusions brief-adhesions long-protrusions sensitive-adhesions insensitive-adhesions fibrillar one-protrusion two-protrusions three-protrusions four-protrusions one-protrusion-fibres two-protrusions-fibres three-protrusions-fibres four-protrusions-fibres stiffness-gradient stiffness-step channel microtrack pillars walled-channel interface chemotaxis attractant-source openvt-migration openvt-chemotaxis-linear openvt-chemotaxis-half-normal openvt-chemotaxis-exponential haptotaxis contact-guidance curved-fibres two-cells' -d 'What they change: see `matrigrate list` (default: baseline)'
 complete -c matrigrate -n '__matrigrate_at sample' -l scenario -r -F -d 'Change this scenario file instead'
-complete -c matrigrate -n '__matrigrate_at sample' -l targets -x -d 'Measured read-outs to tell the distance from'
+complete -c matrigrate -n '__matrigrate_at sample' -l targets -x -d 'Measured read-outs, from which the distance is computed'
 complete -c matrigrate -n '__matrigrate_at sample' -l seed -x -d 'Seed of the random numbers: run.seed'
 complete -c matrigrate -n '__matrigrate_at sample' -l hours -x -d 'Simulated time in hours, or as "30 min": run.duration'
 complete -c matrigrate -n '__matrigrate_at sample' -l threads -x -d 'Threads, 0 for all: run.threads; never changes a result'

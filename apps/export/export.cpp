@@ -48,8 +48,9 @@ struct ExportArguments {
 
 /// What earlier versions exported, and what stands for it.
 constexpr std::array<std::pair<std::string_view, std::string_view>, 2> gone_kinds{{
-    {"--svg", "--panel \"0 h, 1 h, 3 h\" draws frames side by side as SVG, --png each frame as PNG and SVG, and in Python "
-              "matrigrate.plot.path the path"},
+    {"--svg",
+     "--panel \"0 h, 1 h, 3 h\" draws frames side by side as SVG, --png each frame as PNG and SVG, and in Python "
+     "matrigrate.plot.path the path"},
     {"--vtk", "ParaView and PyVista open fields.xdmf of the run; --fields writes it of a run that is not done yet"},
 }};
 
@@ -218,7 +219,7 @@ void add_export(CLI::App& app, Action& chosen) {
       "Adds to what the folder holds: several kinds may be exported one after the other.\n"
       "fields.h5 with fields.xdmf opens in ParaView as it is.\n"
       "celltrackR: read.tracks.csv(\"tracks_celltrackr.csv\", sep = \",\", pos.columns = 3:4).\n"
-      "Of a study, --tracks writes the tracks of all finished runs: tracks.csv as those of the runs, tracks_spots.csv\n"
+      "Of a study, --tracks writes the tracks of all finished runs: tracks.csv as in the runs, tracks_spots.csv\n"
       "for CellTracksColab, TrackMate and celltrackR, and tracks_tracks.csv, a row per track, for CellTracksColab\n"
       "(docs/how-to/exchange.md).\n"
       "--png, --panel and --movie call node and chromium, in which the player draws, and --movie calls ffmpeg. They\n"
@@ -253,7 +254,7 @@ void add_export(CLI::App& app, Action& chosen) {
       ->check(CLI::Range(0.1, 3600.0));
   verb->add_option("--size", options->drawn.size,
                    "Of --movie and --png: width and height in pixels (default: 1280x720)");
-  verb->add_flag("--follow", options->drawn.follow, "Of --movie: the view stays on the cell, as that of --png does");
+  verb->add_flag("--follow", options->drawn.follow, "Of --movie: the view stays on the cell, as with --png");
   verb->add_flag("--whole", options->drawn.whole, "Of --png: the whole matrix, not the cell");
   verb->add_option("--layer", options->drawn.layer,
                    "What the matrix is coloured by (default: displacement; of --movie degradation)");

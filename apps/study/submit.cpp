@@ -78,7 +78,7 @@ void print_job(const SubmitOptions& options, const StudyFolder& study, const std
     return print(json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n");
   }
   if (runs == 0) return print("nothing to submit: every run is done\n");
-  print(fmt::format("job {}: {} runs in {} tasks; `matrigrate study status {}` tells how far it is\n", job, runs, tasks,
+  print(fmt::format("job {}: {} runs in {} tasks; `matrigrate study status {}` shows how far it is\n", job, runs, tasks,
                     study.folder.string()));
 }
 

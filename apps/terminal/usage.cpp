@@ -88,7 +88,7 @@ void require_verb(const CLI::App& app, int argc, char** argv) {
     const bool top = group == &app;
     const std::string name = top ? "" : group->get_name();
     const std::vector<std::string> verbs = verbs_of(*group);
-    const std::string list = fmt::format("\nThe verbs{} are: {}; matrigrate {}-h tells what they do",
+    const std::string list = fmt::format("\nThe verbs{} are: {}; matrigrate {}-h says what they do",
                                          top ? "" : " of " + name, fmt::join(verbs, ", "), top ? "" : name + " ");
     if (i >= argc) throw UsageError(fmt::format("a verb{} is required{}", top ? "" : " of " + name, list));
     const std::string word = argv[i];
@@ -106,7 +106,7 @@ void require_verb(const CLI::App& app, int argc, char** argv) {
 std::string usage_fault(const CLI::App& app, const CLI::ParseError& error) {
   const auto [verb, words] = chosen_verb(app);
   const std::vector<std::string> extra = app.remaining(true);
-  const std::string help = fmt::format("\nmatrigrate {}-h tells how it is used", words);
+  const std::string help = fmt::format("\nmatrigrate {}-h says how it is used", words);
   const auto option = std::ranges::find_if(extra, [](const std::string& word) { return word.starts_with('-'); });
   if (option != extra.end()) {
     const std::string name = option->substr(0, option->find('='));

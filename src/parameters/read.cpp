@@ -75,7 +75,7 @@ public:
     m_resolved = version != nullptr || text.starts_with(resolved_head);
     if (is_study(table))
       return refuse({m_faults.file(), 0, 0, "",
-                     fmt::format("is a study of many runs, and not a scenario; matrigrate study plan {0} tells what it "
+                     fmt::format("is a study of many runs, and not a scenario; matrigrate study plan {0} shows what it "
                                  "takes, and matrigrate study run {0} computes it",
                                  m_faults.file())});
     visit(table, "", m_faults.file());

@@ -186,7 +186,7 @@ std::span<const Rule> rules() {
        {"cell.radius", "cell.start_x", "cell.start_y", "degradation.body_distance", "ecm.radius",
         "ecm.smoothing_length"},
        hole},
-      {"a single start is that of a single cell", {"cell.start_x", "cell.start_y"}, one_start},
+      {"a single start belongs to a single cell", {"cell.start_x", "cell.start_y"}, one_start},
       {several_cells_rule,
        {"cell.radius", "degradation.body_distance", "ecm.radius", "ecm.smoothing_length",
         "contact.cells.repulsion_range"},

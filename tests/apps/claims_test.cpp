@@ -61,7 +61,7 @@ TEST_F(Claims, TellWhichWayMeansLeanWhereRunsEndedAtTheRim) {
                         + "\"still\" }]\n");
   const Ended ended = run("study run own.toml --quiet");
   EXPECT_EQ(ended.code, 4) << ended.err;
-  const std::string caveat = "2 of 2 runs ended at the rim: means are those of the slower cells";
+  const std::string caveat = "2 of 2 runs ended at the rim: means are of the slower cells";
   const json claims = json::parse(page_data("own-study/report.html")).at("claims");
   EXPECT_EQ(claims.at(0).at("caveat"), caveat);
   EXPECT_EQ(claims.at(1).at("caveat"), "");

@@ -81,7 +81,7 @@ Deviations deviations(const study::Study& study) {
   return found;
 }
 
-/// "3 of 8 runs ended at the rim: means are those of the slower cells", of the points that a claim depends on; "" if
+/// "3 of 8 runs ended at the rim: means are of the slower cells", of the points that a claim depends on; "" if
 /// none did.
 std::string rim_caveat(const Claim& claim, const Evidence& evidence) {
   std::size_t all = 0;
@@ -93,7 +93,7 @@ std::string rim_caveat(const Claim& claim, const Evidence& evidence) {
         if (ended_at_rim(r)) ++lost;
       }
   if (lost == 0) return {};
-  return fmt::format("{} of {} runs ended at the rim: means are those of the slower cells", lost, all);
+  return fmt::format("{} of {} runs ended at the rim: means are of the slower cells", lost, all);
 }
 
 } // namespace

@@ -38,7 +38,7 @@ report::Statement statement(const JudgedClaim& row, const ClaimFigures& figures)
           .published = row.published,
           .brief = row.finding.brief,
           .why_not = why_not(row.finding),
-          .details = {{"Ours; intervals are those of 95 %", row.finding.ours},
+          .details = {{"Ours; intervals are of 95 %", row.finding.ours},
                       {"Conditions, each with its statistic", std::move(conditions)}},
           .studies = row.studies,
           .plots = of_row(figures.plots, row.id),

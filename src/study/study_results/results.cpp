@@ -240,7 +240,7 @@ std::string programs_text(const std::vector<Result>& results) {
   if (programs.size() < 2) return {};
   return fmt::format(
       "these runs were made by {} builds of matrigrate: {}. If the model changed between them, which the "
-      "changelog tells, they do not belong together: run the study anew into another folder (-o).",
+      "changelog says, they do not belong together: run the study anew into another folder (-o).",
       programs.size(), fmt::join(programs, ", "));
 }
 
@@ -256,7 +256,7 @@ std::string rim_text(const Study& study, const std::vector<Result>& results) {
   double radius = 0.0; // [um]
   for (const Point& point : study.points) radius = std::max(radius, point.parameters.ecm.radius);
   return fmt::format(
-      "{} of {} runs ended at the rim of the matrix ({}): means are those of the slower cells; take a larger "
+      "{} of {} runs ended at the rim of the matrix ({}): means are of the slower cells; take a larger "
       "ecm.radius. With ecm.radius = \"{:.4g} um\" under [set] and another folder (-o) the same seeds run in a "
       "disc {} times as large.",
       all, results.size(), fmt::join(points, "; "), larger_disc * radius, larger_disc);

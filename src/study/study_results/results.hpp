@@ -64,7 +64,7 @@ std::vector<std::size_t> lost_at_rim(const Study& study, const std::vector<Resul
 /// By how much reproduce, and the advice of rim_text, makes the disc larger.
 inline constexpr double larger_disc = 1.5;
 
-/// "9 of 12 runs ended at the rim of the matrix (50 Pa: 3 of 6; 200 Pa: 6 of 6): means are those of the slower cells.
+/// "9 of 12 runs ended at the rim of the matrix (50 Pa: 3 of 6; 200 Pa: 6 of 6): means are of the slower cells.
 /// ...": what that means, and what to do; empty if none did.
 std::string rim_text(const Study& study, const std::vector<Result>& results);
 

@@ -63,7 +63,7 @@ std::string widest_columns(const std::vector<Result>& results, const std::filesy
     const std::string tracks = tracks_of(file);
     const std::string own = tracks.substr(0, tracks.find('\n'));
     if (!(own + ",").starts_with(widest.empty() ? "" : widest + ",") && !(widest + ",").starts_with(own + ","))
-      throw InputOutputError(fmt::format("{}: has other columns than those of earlier runs", file.string()));
+      throw InputOutputError(fmt::format("{}: has other columns than earlier runs", file.string()));
     if (own.size() > widest.size()) widest = own;
   }
   return widest;

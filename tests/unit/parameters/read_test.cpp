@@ -272,7 +272,7 @@ TEST(Read, AnglesAreBareNumbersOrHaveAUnit) {
 TEST(Read, AStudyIsNoScenario) {
   EXPECT_EQ(
       fault_of("title = \"x\"\npreset = \"soft\"\nreplicates = 3\n[sweep]\necm.radius = [100, 120]\n"),
-      "f.toml: is a study of many runs, and not a scenario; matrigrate study plan f.toml tells what it takes, and "
+      "f.toml: is a study of many runs, and not a scenario; matrigrate study plan f.toml shows what it takes, and "
       "matrigrate study run f.toml computes it");
 }
 
