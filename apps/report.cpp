@@ -8,7 +8,7 @@
 #include "base/file.hpp"
 #include "report/run_page.hpp"
 #include "study_report/measured_json.hpp"
-#include "tracks/cell_tracks.hpp"
+#include "tables/cell_tracks.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>

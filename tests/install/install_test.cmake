@@ -39,7 +39,7 @@ set(expected bin/matrigrate share/matrigrate/docs/scenario.schema.json share/man
              share/zsh/site-functions/_matrigrate share/fish/vendor_completions.d/matrigrate.fish)
 file(GLOB_RECURSE headers RELATIVE ${SOURCE_DIR}/src ${SOURCE_DIR}/src/*.hpp)
 file(GLOB_RECURSE inputs RELATIVE ${SOURCE_DIR} ${SOURCE_DIR}/scenarios/*.toml ${SOURCE_DIR}/studies/*.toml)
-foreach(library model/ run/observe/ run/tables/ run/store/ run/exchange/ run/tracks/ run/draw/ run/report/ study/study_plan/ study/study_results/ study/study_runs/ study/claims/ study/study_report/)
+foreach(library model/ run/observe/ run/tables/ run/store/ run/exchange/ run/draw/ run/report/ study/study_plan/ study/study_results/ study/study_runs/ study/claims/ study/study_report/)
   string(REGEX MATCH "^[a-z]+/" wing ${library}) # headers are installed by the path that includes them
   string(LENGTH ${wing} length)
   string(SUBSTRING ${library} ${length} -1 name)

@@ -1,5 +1,6 @@
 #include "tables/row_file.hpp"
 
+#include "base/csv_text.hpp"
 #include "tables/table.hpp"
 
 #include <fmt/format.h>

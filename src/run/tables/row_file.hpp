@@ -19,7 +19,7 @@ using Field = std::variant<double, std::uint64_t, std::string_view>;
 /// A number of things, as a field.
 inline Field count(std::size_t n) { return std::uint64_t{n}; }
 
-/// A line of CSV with its end; words as csv_text (tables/table.hpp) writes them.
+/// A line of CSV with its end; words as csv_text (base/csv_text.hpp) writes them.
 std::string csv_line(const std::vector<Field>& fields);
 
 class RowFile {

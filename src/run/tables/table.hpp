@@ -27,9 +27,4 @@ struct Table {
 /// @throws std::invalid_argument if a row is not as long as columns
 std::string to_csv(const Table& table);
 
-/// Text as a field of CSV: in quotes where it holds a character that would end the field, and after an apostrophe where
-/// a spreadsheet would compute it as a formula, that is, where it begins with = + - @, a tab or a line break and is no
-/// number. Test: tests/unit/tables/table_test.cpp
-std::string csv_text(std::string_view field);
-
 } // namespace matrigrate::store

@@ -1,5 +1,6 @@
 #include "claims/fields_shown.hpp"
 
+#include "base/csv_text.hpp"
 #include "base/failure.hpp"
 #include "tables/csv.hpp"
 #include "tables/table.hpp"
@@ -64,7 +65,7 @@ std::string fields_rows(std::string_view label, const observe::Film& film) {
       von_mises = std::max(von_mises, stress);
     }
     csv += fmt::format("{:.0f},{},{},{:.3f},{:.1f},{}\n", frame.t, solid, defined, displacement, von_mises,
-                       store::csv_text(label));
+                       csv_text(label));
   }
   return csv;
 }

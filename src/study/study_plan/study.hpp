@@ -2,7 +2,7 @@
 
 #include "parameters/parameters.hpp"
 #include "study_plan/claim.hpp"
-#include "tracks/cell_tracks.hpp"
+#include "tables/cell_tracks.hpp"
 
 #include <cstddef>
 #include <cstdint>

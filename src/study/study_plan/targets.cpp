@@ -5,7 +5,7 @@
 #include "statistics/sample.hpp"
 #include "study_plan/conditions.hpp"
 #include "study_plan/track_keys.hpp"
-#include "tracks/cell_tracks.hpp"
+#include "tables/cell_tracks.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

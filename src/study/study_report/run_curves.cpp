@@ -1,11 +1,12 @@
 #include "study_report/run_curves.hpp"
 
+#include "base/csv_text.hpp"
 #include "base/file.hpp"
 #include "statistics/sample.hpp"
+#include "tables/cell_tracks.hpp"
 #include "tables/csv.hpp"
 #include "tables/naming.hpp"
 #include "tables/table.hpp"
-#include "tracks/cell_tracks.hpp"
 
 #include <fmt/format.h>
 
@@ -84,7 +85,7 @@ std::string paths_csv(const Study& study, const std::vector<Result>& results,
       for (std::size_t k = 0; k < t.size(); ++k) {
         if (std::abs(std::remainder(t[k], path_interval)) > 1e-6) continue;
         csv += fmt::format("{},{:.0f},{:.2f},{:.2f},{}{}\n", r.run.replicate, t[k], x[k] - x[0], y[k] - y[0],
-                           several ? fmt::format("{},", cell) : "", store::csv_text(study.points[r.run.point].label));
+                           several ? fmt::format("{},", cell) : "", csv_text(study.points[r.run.point].label));
       }
   });
   return csv;
@@ -96,7 +97,7 @@ std::string msd_csv(const Study& study, const std::vector<Result>& results, cons
     for (const MeanMsd& m : mean_msd(results, point, study_folder))
       csv += fmt::format("{:.0f},{:.4g},{},{},{}\n", m.lag, m.mean,
                          std::isfinite(m.sem) ? fmt::format("{:.4g}", m.sem) : std::string(), m.runs,
-                         store::csv_text(study.points[point].label));
+                         csv_text(study.points[point].label));
   return csv;
 }
 
@@ -109,7 +110,7 @@ std::string adhesions_csv(const Study& study, const std::vector<Result>& results
     for (std::size_t k = 0; k < force.size(); ++k)
       if (std::isfinite(force[k]))
         csv += fmt::format("{},{:.2f},{:.3f},{:.3f},{}\n", r.run.replicate, length[k], f_mat[k], force[k],
-                           store::csv_text(study.points[r.run.point].label));
+                           csv_text(study.points[r.run.point].label));
   });
   return csv;
 }

@@ -3,8 +3,8 @@
 #include "base/failure.hpp"
 #include "base/file.hpp"
 #include "store/checkpoint.hpp"
+#include "tables/cell_tracks.hpp"
 #include "tables/csv.hpp"
-#include "tracks/cell_tracks.hpp"
 
 #include <nlohmann/json.hpp>
 

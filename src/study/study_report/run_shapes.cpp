@@ -1,5 +1,6 @@
 #include "study_report/run_shapes.hpp"
 
+#include "base/csv_text.hpp"
 #include "cell/geometry.hpp"
 #include "draw/particle_picture.hpp"
 #include "store/checkpoint.hpp"
@@ -29,7 +30,7 @@ std::string shapes_csv(const Study& study, const std::vector<Result>& results,
     const CortexState cortex = store::read_checkpoint(checkpoint).state.cells.at(0).cortex;
     for (std::size_t i = 0; i < cortex.size(); i += 2)
       csv += fmt::format("{},{:.2f},{:.2f},{}\n", r.run.replicate, cortex.x[i].x(), cortex.x[i].y(),
-                         store::csv_text(study.points[r.run.point].label));
+                         csv_text(study.points[r.run.point].label));
   }
   return csv;
 }

@@ -1,3 +1,4 @@
+#include "base/csv_text.hpp"
 #include "tables/table.hpp"
 
 #include <gtest/gtest.h>

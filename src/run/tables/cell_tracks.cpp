@@ -1,4 +1,4 @@
-#include "tracks/cell_tracks.hpp"
+#include "tables/cell_tracks.hpp"
 
 #include "base/failure.hpp"
 #include "base/file.hpp"

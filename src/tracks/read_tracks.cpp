@@ -1,8 +1,8 @@
 #include "tracks/read_tracks.hpp"
 
+#include "base/csv_text.hpp"
 #include "base/file.hpp"
 #include "statistics/sample.hpp"
-#include "tables/table.hpp"
 #include "tracks/grid.hpp"
 #include "tracks/layouts.hpp"
 #include "tracks/leaps.hpp"
@@ -125,7 +125,7 @@ std::string plain_csv(const Tracks& tracks) {
   std::string csv = "track,t_s,x_um,y_um\n";
   for (const Track& track : tracks.tracks)
     for (std::size_t i = 0; i < track.k.size(); ++i)
-      csv += fmt::format("{},{},{},{}\n", store::csv_text(track.name),
+      csv += fmt::format("{},{},{},{}\n", csv_text(track.name),
                          track.start + static_cast<double>(track.k[i]) * tracks.interval, track.x[i], track.y[i]);
   return csv;
 }
