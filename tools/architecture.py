@@ -12,7 +12,8 @@ from xml.sax.saxutils import escape
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 PICTURE = ROOT / "docs/images/architecture.svg"
-TITLES = {"base": "Base", "fields": "Fields", "statistics": "Statistics", "parameters": "Parameters", "model": "Model",
+TITLES = {"base": "Base", "fields": "Fields", "statistics": "Statistics", "parameters": "Parameters", "tracks": "Measured tracks",
+          "model": "Model",
           "run": "One run", "validation": "Validation", "study": "Many runs"}
 ON_TOP = [("apps/", "the command line: one file per verb"), ("python/, R/", "read the files, start the program"),
           ("viewer/, web/", "the pages; the model in a browser")]

@@ -2,6 +2,7 @@
 
 #include "statistics/bootstrap.hpp"
 #include "statistics/sample.hpp"
+#include "tracks/displacements.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -94,21 +95,14 @@ std::pair<double, double> turning(const Dense& at, const std::vector<double>& le
 
 /// Log-log slope over lags from first to last; NaN of fewer than two, and where one has no displacement.
 double slope(const std::vector<double>& square, std::size_t first, std::size_t last) {
-  std::vector<double> a, b;
+  std::vector<double> lags, squares;
   for (std::size_t lag = first; lag <= last && lag <= square.size(); ++lag)
     if (!std::isnan(square[lag - 1])) {
       if (!(square[lag - 1] > 0.0)) return nan;
-      a.push_back(std::log(static_cast<double>(lag)));
-      b.push_back(std::log(square[lag - 1]));
+      lags.push_back(static_cast<double>(lag));
+      squares.push_back(square[lag - 1]);
     }
-  if (a.size() < 2) return nan;
-  const double ma = mean_of_defined(a), mb = mean_of_defined(b);
-  double ab = 0.0, aa = 0.0;
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    ab += (a[i] - ma) * (b[i] - mb);
-    aa += (a[i] - ma) * (a[i] - ma);
-  }
-  return ab / aa;
+  return log_slope(lags, squares, 2);
 }
 
 /// Intervals until the mean ratio falls below one half, interpolated; NaN if it stays above, or begins below.
@@ -164,15 +158,7 @@ TrackParts::Part TrackParts::part(const Track& track, double interval) {
   const double per_hour = 3600.0 / interval;
   const auto span = static_cast<double>(track.span());
   Part part{};
-  part.squares.assign(track.span(), 0.0);
-  part.pairs.assign(track.span(), 0.0);
-  for (std::size_t i = 0; i < track.k.size(); ++i)
-    for (std::size_t j = i + 1; j < track.k.size(); ++j) {
-      const double dx = track.x[j] - track.x[i], dy = track.y[j] - track.y[i];
-      const std::size_t lag = track.k[j] - track.k[i];
-      part.squares[lag - 1] += dx * dx + dy * dy;
-      part.pairs[lag - 1] += 1.0;
-    }
+  part.displacements = displacements(track, track.span());
   double path = 0.0; // NaN from a gap on
   for (std::size_t k = 1; k < at.size(); ++k) {
     path += lengths[k - 1];
@@ -193,13 +179,13 @@ std::vector<double> TrackParts::msd(std::span<const std::size_t> which) const {
   std::vector<double> sums, counts;
   for (const std::size_t k : which) {
     const Part& own = m_parts[k];
-    if (own.squares.size() > sums.size()) {
-      sums.resize(own.squares.size(), 0.0);
-      counts.resize(own.squares.size(), 0.0);
+    if (own.displacements.squares.size() > sums.size()) {
+      sums.resize(own.displacements.squares.size(), 0.0);
+      counts.resize(own.displacements.squares.size(), 0.0);
     }
-    for (std::size_t lag = 0; lag < own.squares.size(); ++lag) {
-      sums[lag] += own.squares[lag];
-      counts[lag] += own.pairs[lag];
+    for (std::size_t lag = 0; lag < own.displacements.squares.size(); ++lag) {
+      sums[lag] += own.displacements.squares[lag];
+      counts[lag] += own.displacements.pairs[lag];
     }
   }
   for (std::size_t lag = 0; lag < sums.size(); ++lag) sums[lag] = counts[lag] > 0.0 ? sums[lag] / counts[lag] : nan;
@@ -263,19 +249,17 @@ std::vector<ReadoutValues> TrackParts::drawn(double error, std::size_t resamples
   return sets;
 }
 
-TrackReadouts readouts(const Tracks& tracks, double error, std::size_t resamples) {
-  const TrackParts parts(tracks);
-  TrackReadouts result{.value = parts.readouts(error), .standard_error = {}};
-  result.standard_error.fill(nan);
-  const std::vector<ReadoutValues> drawn = parts.drawn(error, resamples);
+ReadoutValues standard_errors(const ReadoutValues& value, std::span<const ReadoutValues> drawn) {
+  ReadoutValues errors{};
+  errors.fill(nan);
   for (std::size_t r = 0; r < track_readouts.size(); ++r) {
     std::vector<double> values;
     for (const ReadoutValues& one : drawn) values.push_back(one[r]);
     const statistics::Moments m = statistics::moments(statistics::finite(values));
-    if (std::isfinite(result.value[r]) && m.n > 1 && static_cast<double>(m.n) >= 0.9 * static_cast<double>(resamples))
-      result.standard_error[r] = m.sd;
+    if (std::isfinite(value[r]) && m.n > 1 && static_cast<double>(m.n) >= 0.9 * static_cast<double>(drawn.size()))
+      errors[r] = m.sd;
   }
-  return result;
+  return errors;
 }
 
 } // namespace matrigrate::tracks

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "tracks/displacements.hpp"
 #include "tracks/read_tracks.hpp"
 
 #include <array>
@@ -67,9 +68,8 @@ public:
 private:
   std::vector<std::size_t> all() const;
   struct Part {
-    std::vector<double> squares; ///< sum of square displacements by lag
-    std::vector<double> pairs;   ///< that it has
-    std::vector<double> ratios;  ///< distance from the start over path, by time; NaN from a gap on
+    Displacements displacements;
+    std::vector<double> ratios; ///< distance from the start over path, by time; NaN from a gap on
     double speed, v_migr_abs, straightness, windowed, anisotropy, angle, cosine;
   };
   static Part part(const Track& track, double interval);
@@ -78,14 +78,9 @@ private:
   double m_interval;
 };
 
-/// Read-outs with their standard errors.
-struct TrackReadouts {
-  ReadoutValues value{};
-  ReadoutValues standard_error{}; ///< bootstrap over tracks; NaN of one track, and of what few resampled sets define
-};
-
-/// @param resamples  draws of the bootstrap
-TrackReadouts readouts(const Tracks& tracks, double error = 0.0, std::size_t resamples = 200);
+/// Standard errors of read-outs, by a bootstrap over tracks; NaN of what few of its sets define.
+/// @param drawn  read-outs of the sets
+ReadoutValues standard_errors(const ReadoutValues& value, std::span<const ReadoutValues> drawn);
 
 /// Persistence time P [s] of Fuerth's formula, MSD(t) = 2 S^2 P (t - P (1 - exp(-t/P))), by least relative squares; NaN
 /// where the lags cannot tell it: P below half an interval (a diffusive path) or above the largest lag (a straight

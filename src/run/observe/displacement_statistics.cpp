@@ -1,6 +1,7 @@
 #include "observe/displacement_statistics.hpp"
 
 #include "observe/readouts.hpp"
+#include "tracks/displacements.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -26,30 +27,28 @@ std::vector<Vec2> sampled(std::span<const TrackRow> rows, double interval) {
 } // namespace
 
 std::vector<MsdPoint> mean_square_displacement(std::span<const TrackRow> rows, double interval) {
-  const std::vector<Vec2> x = sampled(rows, interval);
-  std::vector<MsdPoint> points;
-  for (std::size_t lag = 1; 2 * lag < x.size(); ++lag) {
-    MsdPoint point{.lag = interval * static_cast<double>(lag), .msd = 0.0, .samples = x.size() - lag};
-    for (std::size_t k = 0; k < point.samples; ++k) point.msd += (x[k + lag] - x[k]).squaredNorm();
-    point.msd /= static_cast<double>(point.samples);
-    points.push_back(point);
+  tracks::Track track;
+  for (const Vec2& x : sampled(rows, interval)) {
+    track.k.push_back(track.k.size());
+    track.x.push_back(x.x());
+    track.y.push_back(x.y());
   }
+  const tracks::Displacements found = tracks::displacements(track, track.span() / 2);
+  std::vector<MsdPoint> points;
+  for (std::size_t k = 0; k < found.squares.size(); ++k)
+    points.push_back({.lag = interval * static_cast<double>(k + 1),
+                      .msd = found.squares[k] / found.pairs[k],
+                      .samples = static_cast<std::size_t>(found.pairs[k])});
   return points;
 }
 
 double msd_slope(std::span<const MsdPoint> points) {
-  double n = 0.0, x = 0.0, y = 0.0, xx = 0.0, xy = 0.0;
+  std::vector<double> lags, squares;
   for (const MsdPoint& point : points) {
-    if (!(point.msd > 0.0)) continue;
-    const double a = std::log(point.lag);
-    const double b = std::log(point.msd);
-    n += 1.0;
-    x += a;
-    y += b;
-    xx += a * a;
-    xy += a * b;
+    lags.push_back(point.lag);
+    squares.push_back(point.msd);
   }
-  return n < 3.0 ? undefined : (n * xy - x * y) / (n * xx - x * x);
+  return tracks::log_slope(lags, squares, 3);
 }
 
 double angle_to(std::span<const TrackRow> rows, double direction, double interval) {

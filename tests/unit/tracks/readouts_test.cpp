@@ -115,8 +115,8 @@ TEST(TrackReadouts, AnErrorThatExceedsTheMotionDefinesNoSlope) {
 
 TEST(TrackReadouts, StandardErrorsAreThoseOfTheMean) {
   const Tracks walk = persistent(50, 30, 1.0);
-  const TrackReadouts found = readouts(walk, 0.0, 400);
   const TrackParts parts(walk);
+  const ReadoutValues value = parts.readouts(), errors = standard_errors(value, parts.drawn(0.0, 400));
   double sum = 0.0, square = 0.0;
   for (std::size_t k = 0; k < 50; ++k) {
     const std::vector<std::size_t> own{k};
@@ -125,10 +125,11 @@ TEST(TrackReadouts, StandardErrorsAreThoseOfTheMean) {
     square += net * net;
   }
   const double mean = sum / 50.0, error = std::sqrt((square - 50.0 * mean * mean) / 49.0 / 50.0);
-  EXPECT_DOUBLE_EQ(found.value[4], mean);
-  EXPECT_NEAR(found.standard_error[4], error, 0.1 * error);
-  EXPECT_EQ(readouts(walk, 0.0, 400).standard_error[4], found.standard_error[4]) << "the same draws each time";
-  EXPECT_TRUE(std::isnan(readouts(one({0, 1, 2}, {0, 1, 0})).standard_error[0])) << "of one track";
+  EXPECT_DOUBLE_EQ(value[4], mean);
+  EXPECT_NEAR(errors[4], error, 0.1 * error);
+  EXPECT_EQ(standard_errors(value, parts.drawn(0.0, 400))[4], errors[4]) << "the same draws each time";
+  const TrackParts alone(one({0, 1, 2}, {0, 1, 0}));
+  EXPECT_TRUE(std::isnan(standard_errors(alone.readouts(), alone.drawn(0.0, 200))[0])) << "of one track";
 }
 
 } // namespace
