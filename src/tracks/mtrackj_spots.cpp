@@ -23,13 +23,17 @@ public:
     m_spots.length_unit = "pixel";
     m_spots.columns = {
         .track = "Track", .t = {}, .frame = "t", .x = "x", .y = "y", .made_up = {}, .measured = {}, .group = {}};
-    const auto clusters = std::ranges::count_if(m_rows, [](const SheetRow& row) { return row.fields[0] == "Cluster"; });
-    std::string cluster;
+    const auto several = [&](const char* what) {
+      return std::ranges::count_if(m_rows, [&](const SheetRow& row) { return row.fields[0] == what; }) > 1;
+    };
+    const bool assemblies = several("Assembly"), clusters = assemblies || several("Cluster");
+    std::string assembly, cluster;
     for (const SheetRow& row : m_rows) {
       const std::string& what = row.fields[0];
       const std::string id = row.fields.size() > 1 ? row.fields[1] : "";
-      if (what == "Cluster") cluster = clusters > 1 ? id + "/" : "";
-      if (what == "Track") m_track = track(cluster + id);
+      if (what == "Assembly") assembly = assemblies ? id + "/" : "";
+      if (what == "Cluster") cluster = clusters ? id + "/" : "";
+      if (what == "Track") m_track = track(assembly + cluster + id);
       if (what == "Point") point(row);
     }
     if (m_rows.back().fields[0] != "End")
