@@ -8,7 +8,9 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <map>
 #include <stdexcept>
+#include <string>
 
 namespace matrigrate::apps {
 
@@ -30,8 +32,10 @@ void add_track_options(CLI::App& verb, TrackArguments& arguments) {
   verb.add_option("--splits", arguments.splits,
                   "Tracks with two positions at one time: refuse, cut (they end before) or drop (they are left out)");
   verb.add_option("--jitter", options.jitter, "By which a step of time may differ from the interval, as a share of it");
-  verb.add_flag("--recalibrate", options.recalibrate,
-                "Take --pixel, --interval and --time-unit against what the file states");
+  verb.add_flag("--recalibrate")->group(""); // of 0.3.0: what is given counts now
+  const std::map<std::string, tracks::Spelling> spellings{{"python", tracks::Spelling::python},
+                                                          {"r", tracks::Spelling::r}};
+  verb.add_option("--words", options.spelling)->transform(CLI::CheckedTransformer(spellings))->group("");
 }
 
 double quantity_option(const std::string& text, const std::string& option, const std::string& unit) {
@@ -56,12 +60,12 @@ tracks::TrackOptions track_options(const TrackArguments& arguments) {
   for (const std::string& one : arguments.columns) try {
       tracks::add_columns(one, options.columns);
     } catch (const std::invalid_argument& fault) {
-      throw UsageError(fmt::format("--columns: {}", fault.what()));
+      throw UsageError(fmt::format("{}: {}", options.say("columns"), fault.what()));
     }
   const auto splits = tracks::splits_of(arguments.splits);
   if (!splits)
-    throw UsageError(
-        fmt::format("--splits: there is no \"{}\"; there are refuse, cut and drop", excerpt(arguments.splits)));
+    throw UsageError(fmt::format("{}: there is no \"{}\"; there are refuse, cut and drop", options.say("splits"),
+                                 excerpt(arguments.splits)));
   options.splits = *splits;
   if (const std::vector<std::string> faults = tracks::faults_of(options); !faults.empty())
     throw UsageError(fmt::format("{}", fmt::join(faults, "\n")));

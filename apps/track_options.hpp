@@ -22,7 +22,8 @@ struct TrackArguments {
   tracks::TrackOptions options; ///< those that need no reading
 };
 
-/// Adds --pixel, --interval, --time-unit, --columns, --layout, --splits, --jitter and --recalibrate to a verb.
+/// Adds --pixel, --interval, --time-unit, --columns, --layout, --splits and --jitter to a verb; hidden --words, the
+/// language of messages, which Python and R give.
 void add_track_options(CLI::App& verb, TrackArguments& arguments);
 
 /// @throws UsageError with what is wrong with them

@@ -45,7 +45,11 @@ Json columns_json(const tracks::ColumnsUsed& columns) {
       {"y", columns.y},         {"group", columns.group}, {"made_up", columns.made_up}, {"measured", columns.measured}};
 }
 
-Json readouts_json(const tracks::TrackReadouts& found) {
+struct TrackReadouts {
+  tracks::ReadoutValues value, standard_error;
+};
+
+Json readouts_json(const TrackReadouts& found) {
   Json json = Json::object();
   for (std::size_t r = 0; r < tracks::track_readouts.size(); ++r) {
     const auto& [name, unit, meaning] = tracks::track_readouts[r];
@@ -66,7 +70,7 @@ Json rows_json(const tracks::Tracks& cells) {
   return rows;
 }
 
-Json to_json(const TracksArguments& asked, const tracks::Tracks& cells, const tracks::TrackReadouts& found) {
+Json to_json(const TracksArguments& asked, const tracks::Tracks& cells, const TrackReadouts& found) {
   Json json{{"file", asked.file},
             {"layout", cells.layout},
             {"encoding", cells.encoding},
@@ -98,7 +102,7 @@ std::string understood_text(const tracks::Tracks& cells) {
       by_frame ? columns.frame : columns.t, cells.scales.s_per_unit, columns.x, columns.y, cells.scales.um_per_unit);
 }
 
-std::string readouts_text(const tracks::TrackReadouts& found) {
+std::string readouts_text(const TrackReadouts& found) {
   std::vector<std::vector<std::string>> rows{{"read-out", "value", "standard error"}};
   for (std::size_t r = 0; r < tracks::track_readouts.size(); ++r)
     rows.push_back({std::string(tracks::track_readouts[r].name), number_text(found.value[r]),
@@ -133,12 +137,14 @@ int read_and_tell(const TracksArguments& asked) {
   if (!(error >= 0.0)) throw UsageError(fmt::format("--error: {:g} um is no localisation error", error));
   check_output(asked);
   tracks::Tracks cells = wanted_tracks(asked);
-  if (const double square = tracks::TrackParts(cells).buried(error); square > 0.0)
+  const tracks::TrackParts parts(cells);
+  if (const double square = parts.buried(error); square > 0.0)
     cells.notes.push_back(
         fmt::format("MSD at one interval, {:.3g} um2, is below 4 error^2 = {:.3g} um2: the error is larger than the "
                     "cells move, so slopes and the persistence time are not defined",
                     square, 4.0 * error * error));
-  const tracks::TrackReadouts found = tracks::readouts(cells, error, asked.resamples);
+  TrackReadouts found{.value = parts.readouts(error), .standard_error = {}};
+  found.standard_error = tracks::standard_errors(found.value, parts.drawn(error, asked.resamples));
   if (!asked.output.empty()) write_file(asked.output, tracks::plain_csv(cells));
   if (asked.json) {
     print(to_json(asked, cells, found).dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
@@ -159,8 +165,8 @@ void add_tracks(CLI::App& app, Action& chosen) {
       "Reads the spots of TrackMate (CSV, or its tracks as XML), and the tables of CellTracksColab, celltrackR, "
       "trackpy,\n"
       "btrack, napari, ImageJ's Manual Tracking, MTrackJ, MOSAIC, CellProfiler and Imaris; of other tables --columns\n"
-      "names the columns. What the file states of its units and what is given must agree, unless --recalibrate is "
-      "given.\n"
+      "names the columns. What is given counts, whatever the file states; a note then "
+      "says so.\n"
       "-o writes the plain form, track,t_s,x_um,y_um, which report --tracks and [[targets]] take as it is.\n"
       "The standard error is a bootstrap over tracks.\n"
       "--json prints {file, layout, encoding, separator, decimal_comma, columns, um_per_unit, times, s_per_unit,\n"

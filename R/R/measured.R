@@ -9,14 +9,11 @@ read_measured_tracks <- function(file, pixel = NULL, frame_interval = NULL, time
   on.exit(unlink(folder, recursive = TRUE))
   out <- file.path(folder, "tracks.csv")
   option <- function(name, value) if (!is.null(value)) c(name, .word(value))
-  printed <- withCallingHandlers(
-    call_matrigrate(
-      "tracks", path.expand(file), "--json", "--resamples", 0, "-o", out, option("--pixel", pixel), option("--interval", frame_interval),
-      option("--time-unit", time_unit), option("--layout", layout), option("--splits", splits), option("--jitter", jitter),
-      option("--shortest", shortest), option("--fewest", fewest), if (recalibrate) "--recalibrate", if (drift) "--drift",
-      unlist(lapply(seq_along(columns), function(i) c("--columns", paste0(names(columns)[i], "=", .word(columns[[i]])))))
-    ),
-    matrigrate_error = function(e) .stop_with(e$exit_code, .as_arguments(conditionMessage(e)))
+  printed <- call_matrigrate(
+    "tracks", path.expand(file), "--json", "--resamples", 0, "--words", "r", "-o", out, option("--pixel", pixel),
+    option("--interval", frame_interval), option("--time-unit", time_unit), option("--layout", layout), option("--splits", splits),
+    option("--jitter", jitter), option("--shortest", shortest), option("--fewest", fewest), if (drift) "--drift",
+    unlist(lapply(seq_along(columns), function(i) c("--columns", paste0(names(columns)[i], "=", .word(columns[[i]])))))
   )
   rows <- .table(out, "track")
   names(rows)[names(rows) == "track"] <- "id"
@@ -26,13 +23,6 @@ read_measured_tracks <- function(file, pixel = NULL, frame_interval = NULL, time
   attr(rows, "notes") <- .notes(text)
   for (note in attr(rows, "notes")) message(note)
   rows
-}
-
-# A message of the program with the arguments of read_measured_tracks for its options.
-.as_arguments <- function(message) {
-  names <- c("pixel", "interval", "time-unit", "columns", "layout", "splits", "jitter", "recalibrate", "shortest", "fewest")
-  for (name in names) message <- gsub(paste0("--", name, "\\b"), chartr("-", "_", sub("^interval", "frame_interval", name)), message)
-  message
 }
 
 # The notes of a JSON document.

@@ -76,6 +76,10 @@ void add_tracks(py::module_& module) {
     meanings.emplace_back(readout.name, readout.meaning);
   module.attr("track_readouts") = meanings;
   module.def("drift", &drift_of);
+  module.def("standard_errors",
+             [](const tracks::ReadoutValues& value, const std::vector<tracks::ReadoutValues>& drawn) {
+               return tracks::standard_errors(value, drawn);
+             });
   py::class_<tracks::TrackParts>(module, "TrackParts")
       .def(py::init(&parts_of))
       .def("readouts", [](const tracks::TrackParts& parts, double error) { return parts.readouts(error); })

@@ -51,3 +51,12 @@ def drift(tracks: Iterable[np.ndarray[Any, Any]], starts: Iterable[float], inter
     """
     found: tuple[np.ndarray[Any, Any], str] = core().drift(list(tracks), list(starts), interval)
     return found
+
+
+def standard_errors(values: list[float], drawn: np.ndarray[Any, Any]) -> list[float]:
+    """Standard errors of read-outs; NaN of what few of the resampled sets define.
+
+    :param drawn: their read-outs, a row a set
+    """
+    found: list[float] = core().standard_errors(values, drawn)
+    return found

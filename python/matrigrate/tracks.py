@@ -141,15 +141,10 @@ class Tracks(Mapping[str, Any]):
                     "the cells move, so slopes and the persistence time are not defined")
             self.notes.extend([said] if said not in self.notes else [])
         meanings = _motility.meanings()
-        values = dict(zip(meanings, parts.readouts(error), strict=True))
-        errors = dict.fromkeys(values, float("nan"))
+        values = parts.readouts(error)
         drawn = self._drawn if interval is None and error == 0 and resamples == _resamples else _resampled(parts, error, resamples)
-        for name, column in zip(values, drawn.T, strict=True):
-            known = column[np.isfinite(column)]
-            if math.isfinite(values[name]) and len(known) > 1 and len(known) >= 0.9 * resamples:
-                errors[name] = float(np.std(known, ddof=1))
-        return _pandas().DataFrame({"value": values, "standard_error": errors,
-                                    "unit": {name: unit_of(name) for name in values}, "meaning": meanings})
+        return _pandas().DataFrame({"value": values, "standard_error": _motility.standard_errors(values, drawn),
+                                    "unit": [unit_of(name) for name in meanings], "meaning": list(meanings.values())}, index=list(meanings))
 
     def covariance(self, readouts: Sequence[str]) -> np.ndarray[Any, Any]:
         """Of the errors of these read-outs, by the bootstrap of ``readouts()``."""
@@ -224,10 +219,11 @@ def read(file: str | os.PathLike[str], *, pixel: float | None = None, frame_inte
     trackpy, btrack, napari, CellTracksColab, celltrackR or this program, or any table with columns for track, time, x and y:
     what ``matrigrate tracks`` reads.
 
-    :param pixel: um per unit of length of the file; only where the file does not state um
-    :param frame_interval: s per frame; only where the file does not state it
-    :param time_unit: unit of a column of times: ``"ms"``, ``"s"``, ``"min"``, ``"h"`` or ``"d"``; only where the file does not
-        state it
+    What is given counts, whatever the file states; ``notes`` then says so.
+
+    :param pixel: um per unit of length of the file
+    :param frame_interval: s per frame
+    :param time_unit: unit of a column of times: ``"ms"``, ``"s"``, ``"min"``, ``"h"`` or ``"d"``
     :param columns: names of columns, or their numbers from 1, where they are not found by themselves:
         ``{"track": "Cell no.", "t": 2, "x": "east", "y": "north"}``. Keys are ``track``, ``t``, ``frame``, ``x``, ``y``, ``z``,
         ``group`` (one or several that tell tracks of the same number apart), ``measured`` and ``made_up`` (whether a position
@@ -235,7 +231,7 @@ def read(file: str | os.PathLike[str], *, pixel: float | None = None, frame_inte
     :param layout: names of this program only, such as ``"imaris"``
     :param splits: what is done with tracks that divide or merge: ``"refuse"``, ``"cut"`` before it, or ``"drop"``
     :param jitter: by how much a step of time may differ from a whole number of intervals, as a share of one; 0.1
-    :param recalibrate: whether ``pixel``, ``frame_interval`` and ``time_unit`` replace what the file states
+    :param recalibrate: of earlier versions; it has no effect
     :param shortest: tracks of fewer positions are left out, and counted in ``notes``
     :param fewest: fewer tracks than this are refused
     :param drift: whether to take the mean motion of all tracks away, where five go on together
@@ -245,8 +241,7 @@ def read(file: str | os.PathLike[str], *, pixel: float | None = None, frame_inte
     if interval is not None and frame_interval is not None:
         raise ConfigurationError("interval: is the older name of frame_interval; give one of them")
     options = {"pixel": pixel, "interval": interval if frame_interval is None else frame_interval, "time_unit": time_unit,
-               "columns": columns, "layout": layout, "splits": splits, "jitter": jitter, "recalibrate": recalibrate,
-               "shortest": shortest, "fewest": fewest, "drift": drift}
+               "columns": columns, "layout": layout, "splits": splits, "jitter": jitter, "shortest": shortest, "fewest": fewest, "drift": drift}
     found = _track_reader.read(file, options)
     by_track: dict[str, list[Any]] = {}
     for name, *row in found["rows"]:

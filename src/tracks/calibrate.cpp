@@ -1,13 +1,14 @@
 #include "tracks/calibrate.hpp"
 
 #include "parameters/scan.hpp"
+#include "statistics/sample.hpp"
 #include "tracks/layouts.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <numeric>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -20,213 +21,139 @@ constexpr double largest_length = 1e9; ///< [um]
 constexpr double largest_time = 1e10;  ///< [s]
 constexpr double same_step = 0.05;     ///< by which two statements of one interval may differ
 
-double median_of(std::vector<double> values) {
-  if (values.empty()) return 0.0;
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::ranges::nth_element(values, middle);
-  return *middle;
-}
+using Time = std::pair<bool, double>; ///< whether by frames, and s per unit
 
 bool about(double a, double b) { return std::abs(a - b) <= same_step * std::abs(b); }
 
-/// Decides on the time of spots, and on their length.
-class Calibration {
-public:
-  Calibration(const Spots& spots, const TrackOptions& options, Findings& findings)
-      : m_spots(spots), m_options(options), m_findings(findings) {
-    measure_steps();
-  }
-
-  Scales scales() {
-    Scales scales;
-    scales.um_per_unit = length();
-    const auto [by_frame, s] = time();
-    scales.by_frame = by_frame;
-    scales.s_per_unit = s;
-    return scales;
-  }
-
-private:
-  using Time = std::pair<bool, double>; ///< whether by frames, and s per unit
-
-  /// Median steps of t and of the frames along tracks, and of t from frame to frame.
-  void measure_steps() {
-    std::vector<std::size_t> order(m_spots.spots.size());
-    for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
-    const bool frames = m_spots.has_frames();
-    const auto time = [&](const Spot& s) { return frames ? s.frame : s.t; };
-    std::ranges::stable_sort(order, [&](std::size_t a, std::size_t b) {
-      const Spot &left = m_spots.spots[a], &right = m_spots.spots[b];
-      return left.track != right.track ? left.track < right.track : time(left) < time(right);
-    });
-    std::vector<double> t_steps, frame_steps, ratios;
-    for (std::size_t i = 1; i < order.size(); ++i) {
-      const Spot &a = m_spots.spots[order[i - 1]], &b = m_spots.spots[order[i]];
-      if (a.track != b.track || !(time(b) > time(a))) continue;
-      t_steps.push_back(b.t - a.t);
-      frame_steps.push_back(b.frame - a.frame);
-      if (frames) ratios.push_back((b.t - a.t) / (b.frame - a.frame));
-    }
-    m_t_step = median_of(t_steps);
-    m_frame_step = median_of(frame_steps);
-    m_t_per_frame = median_of(ratios);
-    m_t_is_frame = std::ranges::all_of(m_spots.spots, [](const Spot& s) { return s.t == s.frame; });
-    m_t_is_whole = std::ranges::all_of(m_spots.spots, [](const Spot& s) { return s.t == std::round(s.t); });
-  }
-
-  double length() {
-    const std::string& unit = m_spots.length_unit;
-    const std::optional<double> stated = length_unit(unit);
-    if (!m_options.pixel) {
-      if (!stated)
-        m_findings.fault(0, unit.empty()
-                                ? fmt::format("does not state the unit of {} and {}: give {}, um per unit (1 if um)",
-                                              m_spots.columns.x, m_spots.columns.y, m_options.say("pixel", "UM"))
-                                : fmt::format("{} and {} are in {}: give {}, um per {}", m_spots.columns.x,
-                                              m_spots.columns.y, excerpt(unit, 20), m_options.say("pixel", "UM"),
-                                              excerpt(unit, 20)));
-      return stated.value_or(1.0);
-    }
-    if (!stated || std::abs(*stated - *m_options.pixel) <= 1e-9 * *stated) return *m_options.pixel;
-    if (m_options.recalibrate)
-      m_findings.note(fmt::format("the file says that {} is in {}; it is taken as {:g} um per unit", m_spots.columns.x,
-                                  excerpt(unit, 20), *m_options.pixel));
-    else
-      contradict(fmt::format("{} is in {}", m_spots.columns.x, excerpt(unit, 20)),
-                 m_options.say("pixel", fmt::format("{:g}", *m_options.pixel)));
-    return *m_options.pixel;
-  }
-
-  void contradict(const std::string& what, const std::string& option) {
-    m_findings.fault(0, fmt::format("{}; {} contradicts it: leave it out, or add {} if the file is wrong", what, option,
-                                    m_options.say("recalibrate", m_options.spelling == Spelling::keys ? "true" : "")));
-  }
-
-  Time time() {
-    const std::optional<double> stated = time_unit(m_spots.time_unit);
-    const bool frames_as_t = m_spots.has_t() && counts_frames(m_spots.time_unit);
-    std::optional<double> unit = stated;
-    if (!m_options.time_unit.empty()) {
-      const double asked = time_unit(m_options.time_unit).value_or(1.0);
-      if (!m_spots.has_t())
-        m_findings.fault(0, fmt::format("{}: there is no column of time; give {}, s from frame to frame",
-                                        m_options.say("time-unit"), m_options.say("interval", "S")));
-      else if (((stated && *stated != asked) || frames_as_t) && !m_options.recalibrate)
-        contradict(fmt::format("{} is in {}", m_spots.columns.t, excerpt(m_spots.time_unit, 20)),
-                   m_options.say("time-unit", m_options.time_unit));
-      unit = asked;
-    } else if (frames_as_t) {
-      return frames(m_spots.has_frames());
-    }
-    if (!m_spots.has_t()) return frames(true);
-    return m_spots.has_frames() ? of_both(unit) : of_t(unit);
-  }
-
-  /// Times are the numbers of frames, in their own column or in that of time.
-  Time frames(bool own_column) {
-    const std::string& name = own_column ? m_spots.columns.frame : m_spots.columns.t;
-    if (!m_options.interval)
-      m_findings.fault(0, fmt::format("its times are numbers of frames ({}): give {}, s from frame to frame", name,
-                                      m_options.say("interval", "S")));
-    if (const double step = own_column ? m_frame_step : m_t_step; step > 1.0 && m_options.interval)
-      m_findings.note(fmt::format("{} rises by {:g} from position to position: positions are every {:g} s", name, step,
-                                  step * *m_options.interval));
-    return {own_column, m_options.interval.value_or(1.0)};
-  }
-
-  /// The movie was not calibrated: one second from frame to frame is what TrackMate writes if it knows none.
-  bool is_uncalibrated(std::optional<double> unit) const {
-    return m_t_is_frame && !length_unit(m_spots.length_unit) && (!unit || *unit == 1.0);
-  }
-
-  Time of_both(std::optional<double> unit) {
-    const auto& [track, t, frame, x, y, made_up, measured, group] = m_spots.columns;
-    if (!m_options.interval) {
-      if (!unit)
-        m_findings.fault(0, fmt::format("does not state the unit of {}: give {}, or {}, s from {} to {}", t,
-                                        m_options.say("time-unit", unit_example()), m_options.say("interval", "S"),
-                                        frame, frame));
-      else if (m_options.time_unit.empty() && is_uncalibrated(unit))
-        m_findings.fault(
-            0, fmt::format("its movie was not calibrated: x is in no unit of length, and a frame lasts 1 s ({}): give "
-                           "{}, s from frame to frame, or {} if it is 1 s",
-                           t, m_options.say("interval", "S"),
-                           m_options.say("time-unit", m_options.spelling == Spelling::keys ? "\"s\"" : "s")));
-      return {false, unit.value_or(1.0)};
-    }
-    const double interval = *m_options.interval;
-    const bool agrees = unit ? about(m_t_per_frame * *unit, interval) : is_some_unit(interval);
-    if (agrees || m_options.recalibrate || m_t_per_frame <= 0.0) {
-      m_findings.note(fmt::format("times are {} x {:g} s; {} is not used", frame, interval, t));
-    } else if (is_uncalibrated(unit) || (!unit && m_t_is_frame)) {
-      m_findings.note(
-          fmt::format("the movie was not calibrated ({} counts frames): times are {} x {:g} s", t, frame, interval));
-    } else if (unit) {
-      contradict(fmt::format("{} says {:.6g} s from frame to frame", t, m_t_per_frame * *unit),
-                 m_options.say("interval", fmt::format("{:g}", interval)));
-    } else {
-      m_findings.fault(
-          0, fmt::format(
-                 "{} rises by {:.6g} from frame to frame, which is {:g} s in no unit of time: give {} and no {}, or "
-                 "add {} if {} is wrong",
-                 t, m_t_per_frame, interval, m_options.say("time-unit", unit_example()), m_options.say("interval"),
-                 m_options.say("recalibrate", m_options.spelling == Spelling::keys ? "true" : ""), t));
-    }
-    return frames(true);
-  }
-
-  std::string unit_example() const { return m_options.spelling == Spelling::keys ? "\"s\" or \"min\"" : "s (or min)"; }
-
-  bool is_some_unit(double interval) const {
-    return std::ranges::any_of(time_units(), [&](const std::string& name) {
-      return about(m_t_per_frame * time_unit(name).value_or(0.0), interval);
-    });
-  }
-
-  /// There is a column of time alone.
-  Time of_t(std::optional<double> unit) {
-    const std::string& t = m_spots.columns.t;
-    if (!m_options.interval) {
-      if (!unit)
-        m_findings.fault(
-            0,
-            fmt::format("does not state the unit of {}: give {}{}", t, m_options.say("time-unit", unit_example()),
-                        counts() ? fmt::format(", or {} if {} counts frames", m_options.say("interval", "S"), t) : ""));
-      return {false, unit.value_or(1.0)};
-    }
-    const double interval = *m_options.interval;
-    if (unit && about(m_t_step * *unit, interval)) return {false, *unit};
-    if (!unit && counts()) {
-      m_findings.note(fmt::format("{} counts frames: times are {} x {:g} s", t, t, interval));
-      return {false, interval};
-    }
-    if (m_options.recalibrate && m_t_step > 0.0) {
-      m_findings.note(
-          fmt::format("{} rises by {:g} from position to position; this is taken as {:g} s", t, m_t_step, interval));
-      return {false, interval / m_t_step};
-    }
-    if (unit)
-      contradict(fmt::format("{} says {:.6g} s from position to position", t, m_t_step * *unit),
-                 m_options.say("interval", fmt::format("{:g}", interval)));
-    else
-      m_findings.fault(
-          0, fmt::format("{} rises by {:g} from position to position, so it counts no frames: give {} instead of {}", t,
-                         m_t_step, m_options.say("time-unit", unit_example()), m_options.say("interval")));
-    return {false, 1.0};
-  }
-
-  /// Whether t can be a number of frames.
-  bool counts() const { return m_t_is_whole && m_t_step == 1.0; }
-
-  const Spots& m_spots;
-  const TrackOptions& m_options;
-  Findings& m_findings;
-  double m_t_step = 0.0;
-  double m_frame_step = 0.0;
-  double m_t_per_frame = 0.0;
-  bool m_t_is_frame = false;
-  bool m_t_is_whole = false;
+/// Median steps along tracks.
+struct Steps {
+  double t = 0.0, frame = 0.0, t_per_frame = 0.0;
+  bool t_is_frame = false; ///< whether both are the same numbers
+  bool counts = false;     ///< whether t can be a number of frames
 };
+
+Steps steps_of(const Spots& spots) {
+  std::vector<std::size_t> order(spots.spots.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  const auto time = [&](const Spot& s) { return spots.has_frames() ? s.frame : s.t; };
+  std::ranges::stable_sort(order, {},
+                           [&](std::size_t i) { return std::pair(spots.spots[i].track, time(spots.spots[i])); });
+  std::vector<double> t_steps, frame_steps, ratios;
+  for (std::size_t i = 1; i < order.size(); ++i) {
+    const Spot &a = spots.spots[order[i - 1]], &b = spots.spots[order[i]];
+    if (a.track != b.track || !(time(b) > time(a))) continue;
+    t_steps.push_back(b.t - a.t);
+    frame_steps.push_back(b.frame - a.frame);
+    if (spots.has_frames()) ratios.push_back((b.t - a.t) / (b.frame - a.frame));
+  }
+  const auto median = [](const std::vector<double>& x) { return x.empty() ? 0.0 : statistics::quantile(x, 0.5); };
+  Steps steps{.t = median(t_steps), .frame = median(frame_steps), .t_per_frame = median(ratios)};
+  steps.t_is_frame = std::ranges::all_of(spots.spots, [](const Spot& s) { return s.t == s.frame; });
+  steps.counts =
+      steps.t == 1.0 && std::ranges::all_of(spots.spots, [](const Spot& s) { return s.t == std::round(s.t); });
+  return steps;
+}
+
+double length(const Spots& spots, const TrackOptions& options, Findings& findings) {
+  const std::string unit = excerpt(spots.length_unit, 20);
+  const std::optional<double> stated = length_unit(spots.length_unit);
+  const ColumnsUsed& columns = spots.columns;
+  const std::string pixel = options.say("pixel", "UM");
+  if (!options.pixel && !stated)
+    findings.fault(0, unit.empty() ? fmt::format("does not state the unit of {} and {}: give {}, um per unit (1 if um)",
+                                                 columns.x, columns.y, pixel)
+                                   : fmt::format("{} and {} are in {}: give {}, um per {}", columns.x, columns.y, unit,
+                                                 pixel, unit));
+  if (options.pixel && stated && std::abs(*stated - *options.pixel) > 1e-9 * *stated)
+    findings.note(fmt::format("the file says that {} is in {}; it is taken as {:g} um per unit, as given", columns.x,
+                              unit, *options.pixel));
+  return options.pixel.value_or(stated.value_or(1.0));
+}
+
+/// Times are the numbers of frames, in their own column or in that of time.
+Time of_frames(const Spots& spots, const Steps& steps, const TrackOptions& options, Findings& findings) {
+  const bool own_column = spots.has_frames();
+  const std::string& name = own_column ? spots.columns.frame : spots.columns.t;
+  if (!options.interval)
+    findings.fault(0, fmt::format("its times are numbers of frames ({}): give {}, s from frame to frame", name,
+                                  options.say("interval", "S")));
+  else if (const double step = own_column ? steps.frame : steps.t; step > 1.0)
+    findings.note(fmt::format("{} rises by {:g} from position to position: positions are every {:g} s", name, step,
+                              step * *options.interval));
+  return {own_column, options.interval.value_or(1.0)};
+}
+
+/// By a column of time alone, without an interval from the caller.
+Time of_t(const Spots& spots, const Steps& steps, std::optional<double> unit, bool calibrated,
+          const TrackOptions& options, Findings& findings) {
+  const auto& [track, t, frame, x, y, made_up, measured, group] = spots.columns;
+  const std::string interval = options.say("interval", "S"), unit_of_time = options.say("time-unit", "s");
+  if (!unit)
+    findings.fault(0, fmt::format("does not state the unit of {}: give {} (or min){}", t, unit_of_time,
+                                  spots.has_frames() ? fmt::format(", or {}, s from {} to {}", interval, frame, frame)
+                                  : steps.counts     ? fmt::format(", or {} if {} counts frames", interval, t)
+                                                     : ""));
+  else if (!calibrated && options.time_unit.empty())
+    findings.fault(0,
+                   fmt::format("its movie was not calibrated: x is in no unit of length, and a frame lasts 1 s ({}): "
+                               "give {}, s from frame to frame, or {} if it is 1 s",
+                               t, interval, unit_of_time));
+  return {false, unit.value_or(1.0)};
+}
+
+/// By a column of time, and the interval that the caller gives. It counts, whatever the file states; but a column
+/// without a unit that rises otherwise may be what the caller means, so that is asked.
+Time of_interval(const Spots& spots, const Steps& steps, std::optional<double> unit, bool calibrated,
+                 const TrackOptions& options, Findings& findings) {
+  const std::string &t = spots.columns.t, &frame = spots.columns.frame;
+  const double interval = *options.interval, rise = spots.has_frames() ? steps.t_per_frame : steps.t;
+  const bool some_unit = std::ranges::any_of(
+      time_units(), [&](const std::string& name) { return about(rise * time_unit(name).value_or(0.0), interval); });
+  const bool agrees = unit ? about(rise * *unit, interval) : spots.has_frames() && some_unit;
+  const bool counts = spots.has_frames() ? steps.t_is_frame : steps.counts;
+  if (!unit && !agrees && !counts && rise > 0.0)
+    findings.fault(
+        0, fmt::format("{} rises by {:.6g} from {} to {}, and its unit is not stated: give {} (or min) and "
+                       "no {}{}",
+                       t, rise, spots.has_frames() ? "frame" : "position", spots.has_frames() ? "frame" : "position",
+                       options.say("time-unit", "s"), options.say("interval"),
+                       spots.has_frames() ? fmt::format(", or {} if {} is wrong",
+                                                        options.say("columns", fmt::format("frame={}", frame)), t)
+                                          : ""));
+  if (!spots.has_frames() && unit && agrees) return {false, *unit};
+  if (!calibrated)
+    findings.note(
+        fmt::format("the movie was not calibrated ({} counts frames): times are {} x {:g} s", t, frame, interval));
+  else if (unit && !agrees && rise > 0.0)
+    findings.note(fmt::format("{} says {:.6g} s from {} to {}; it is taken as {:g} s, as given", t, rise * *unit,
+                              spots.has_frames() ? "frame" : "position", spots.has_frames() ? "frame" : "position",
+                              interval));
+  else if (spots.has_frames())
+    findings.note(fmt::format("times are {} x {:g} s; {} is not used", frame, interval, t));
+  else
+    findings.note(fmt::format("{} counts frames: times are {} x {:g} s", t, t, interval));
+  if (spots.has_frames()) return of_frames(spots, steps, options, findings);
+  return {false, unit && rise > 0.0 ? interval / rise : interval};
+}
+
+Time time(const Spots& spots, const TrackOptions& options, Findings& findings) {
+  const Steps steps = steps_of(spots);
+  const std::optional<double> stated = time_unit(spots.time_unit);
+  const bool frames = !spots.has_t() || counts_frames(spots.time_unit), asked = !options.time_unit.empty();
+  const std::optional<double> unit = asked ? time_unit(options.time_unit) : stated;
+  if (asked && !spots.has_t())
+    findings.fault(0, fmt::format("{}: there is no column of time; give {}, s from frame to frame",
+                                  options.say("time-unit"), options.say("interval", "S")));
+  else if (asked && (frames || (stated && *stated != *unit)))
+    findings.note(fmt::format("the file says that {} is in {}; it is taken as in {}, as given", spots.columns.t,
+                              excerpt(spots.time_unit, 20), options.time_unit));
+  if (!spots.has_t() || (frames && !asked)) return of_frames(spots, steps, options, findings);
+  // One second from frame to frame, and no unit of length, is what TrackMate writes if it knows neither.
+  const bool calibrated =
+      !spots.has_frames() || !steps.t_is_frame || length_unit(spots.length_unit) || (unit && *unit != 1.0);
+  return options.interval ? of_interval(spots, steps, unit, calibrated, options, findings)
+                          : of_t(spots, steps, unit, calibrated, options, findings);
+}
 
 /// Numbers so large that sums of their squares would overflow are no positions.
 void check_bounds(const Spots& spots, Findings& findings) {
@@ -243,15 +170,16 @@ void check_bounds(const Spots& spots, Findings& findings) {
 } // namespace
 
 Scales calibrate(Spots& spots, const TrackOptions& options, Findings& findings) {
-  const Scales scales = Calibration(spots, options, findings).scales();
+  const double um = length(spots, options, findings);
+  const auto [by_frame, s_per_unit] = time(spots, options, findings);
   for (Spot& s : spots.spots) {
-    s.x *= scales.um_per_unit;
-    s.y *= scales.um_per_unit;
-    s.t = (scales.by_frame ? s.frame : s.t) * scales.s_per_unit;
+    s.x *= um;
+    s.y *= um;
+    s.t = (by_frame ? s.frame : s.t) * s_per_unit;
   }
-  spots.t_digit *= scales.by_frame ? 0.0 : scales.s_per_unit;
+  spots.t_digit *= by_frame ? 0.0 : s_per_unit;
   check_bounds(spots, findings);
-  return scales;
+  return {.um_per_unit = um, .s_per_unit = s_per_unit, .by_frame = by_frame};
 }
 
 } // namespace matrigrate::tracks

@@ -4,8 +4,9 @@
 #include "tracks/options.hpp"
 #include "tracks/spots.hpp"
 
-/// From the units of a file to um and s. Nothing is guessed: what neither the file nor the caller states is a fault,
-/// and so is what they state differently, unless options.recalibrate. Test: tests/unit/tracks/calibrate_test.cpp
+/// From the units of a file to um and s. Nothing is guessed: what neither the file nor the caller states is a fault.
+/// What the caller states counts; if the file states another, a note says so. Test:
+/// tests/unit/tracks/calibrate_test.cpp
 namespace matrigrate::tracks {
 
 /// What the positions of a file were multiplied with.

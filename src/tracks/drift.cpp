@@ -13,17 +13,6 @@ namespace {
 
 constexpr std::size_t most_times = 10'000'000; ///< between the first and the last position
 
-double first_start(const Tracks& tracks) {
-  double first = tracks.tracks.front().start;
-  for (const Track& track : tracks.tracks) first = std::min(first, track.start);
-  return first;
-}
-
-/// Intervals from the first start to that of a track.
-std::size_t offset_of(const Track& track, double first, double interval) {
-  return static_cast<std::size_t>(std::llround((track.start - first) / interval));
-}
-
 /// Sum of the steps that end at a time.
 struct Sum {
   double x = 0.0, y = 0.0;
@@ -34,13 +23,12 @@ struct Sum {
 
 std::vector<Sum> sums_of(const Tracks& tracks, double first) {
   std::size_t last = 0;
-  for (const Track& track : tracks.tracks)
-    last = std::max(last, offset_of(track, first, tracks.interval) + track.span());
+  for (const Track& track : tracks.tracks) last = std::max(last, tracks.offset(track, first) + track.span());
   if (last > most_times)
     throw std::invalid_argument(fmt::format("its tracks are {} intervals apart: drift cannot be told", last));
   std::vector<Sum> sums(last + 1);
   for (const Track& track : tracks.tracks) {
-    const std::size_t offset = offset_of(track, first, tracks.interval);
+    const std::size_t offset = tracks.offset(track, first);
     for (std::size_t i = 1; i < track.k.size(); ++i)
       if (track.k[i] == track.k[i - 1] + 1) {
         Sum& sum = sums[offset + track.k[i]];
@@ -72,7 +60,7 @@ std::string stretches(const std::vector<Sum>& sums, bool counting, double first,
 } // namespace
 
 Drift drift_of(const Tracks& tracks) {
-  const double first = first_start(tracks);
+  const double first = tracks.first();
   const std::vector<Sum> sums = sums_of(tracks, first);
   Drift drift{.x = std::vector<double>(sums.size(), 0.0), .y = std::vector<double>(sums.size(), 0.0), .said = {}};
   std::size_t least = tracks.tracks.size(), most = 0;
@@ -101,9 +89,9 @@ void take_drift_away(Tracks& tracks) {
     throw std::invalid_argument(
         fmt::format("at no time {} tracks go on together, so drift cannot be told from migration; it has {} tracks",
                     least_for_drift, tracks.tracks.size()));
-  const double first = first_start(tracks);
+  const double first = tracks.first();
   for (Track& track : tracks.tracks) {
-    const std::size_t offset = offset_of(track, first, tracks.interval);
+    const std::size_t offset = tracks.offset(track, first);
     for (std::size_t i = 0; i < track.k.size(); ++i) {
       track.x[i] -= drift.x[offset + track.k[i]];
       track.y[i] -= drift.y[offset + track.k[i]];

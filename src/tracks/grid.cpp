@@ -80,11 +80,10 @@ private:
       return m_findings.note(fmt::format("{} of {} {}: {}", split, counted(all, "track"),
                                          split == 1 ? "splits or merges" : "split or merge",
                                          m_options.splits == Splits::cut ? "cut before it" : "left out"));
-    const std::string way = m_options.spelling == Spelling::keys
-                                ? "splits = \"cut\" ends it before, \"drop\" leaves it out"
-                                : "--splits cut ends it before, --splits drop leaves it out";
+    const std::string way = fmt::format("{} ends it before, {} leaves it out", m_options.say("splits", "cut"),
+                                        m_options.say("splits", "drop"));
     const std::string ids = fmt::format("do ids repeat in several movies? {} tells them apart",
-                                        m_options.say("columns", fmt::format("\"group={}\"", m_apart)));
+                                        m_options.say("columns", fmt::format("group={}", m_apart)));
     for (auto& [line, what] : faults)
       m_findings.fault(
           line,

@@ -14,7 +14,7 @@ namespace matrigrate::tracks {
 
 namespace {
 
-constexpr double far = 3.0, very_far = 10.0; ///< over the usual step
+constexpr double very_far = 10.0; ///< over the usual step
 
 struct Found {
   Step step;
@@ -23,11 +23,10 @@ struct Found {
 };
 
 std::vector<Found> steps_of(const Tracks& tracks) {
-  double first = tracks.tracks.front().start;
-  for (const Track& track : tracks.tracks) first = std::min(first, track.start);
+  const double first = tracks.first();
   std::vector<Found> steps;
   for (const Track& track : tracks.tracks) {
-    const auto offset = static_cast<std::size_t>(std::max(0.0, std::round((track.start - first) / tracks.interval)));
+    const std::size_t offset = tracks.offset(track, first);
     for (std::size_t i = 1; i < track.k.size(); ++i)
       steps.push_back({.step = {.dx = track.x[i] - track.x[i - 1],
                                 .dy = track.y[i] - track.y[i - 1],
@@ -66,14 +65,14 @@ void tell_together(const std::vector<Step>& steps, Together kind, double time, d
                                        "step is {:.3g} um)",
                                        time, steps.size(), least, most, usual);
   if (kind == Together::shifts)
-    return findings.note(fmt::format("{}, and all alike: did the stage move? {} takes it away", what,
-                                     options.say("drift", options.spelling == Spelling::keys ? "true" : "")));
+    return findings.note(
+        fmt::format("{}, and all alike: did the stage move? {} takes it away", what, options.say("drift", "true")));
   const bool none = std::ranges::find(options.columns.group, "none") != options.columns.group.end();
   if (none || std::ranges::max(gaps) > 1.0) return findings.note(what + ": is it another movie?");
   findings.fault(0,
                  fmt::format("{}: another movie begins. Tell movies apart by a column, {}, or read each by itself; {} "
                              "if these are the same cells",
-                             what, options.say("columns", "\"group=NAME\""), options.say("columns", "\"group=none\"")));
+                             what, options.say("columns", "group=NAME"), options.say("columns", "group=none")));
 }
 
 } // namespace
@@ -87,8 +86,10 @@ double usual_step(std::span<const Step> steps) {
   return lengths.empty() ? 0.0 : statistics::quantile(lengths, 0.5);
 }
 
-Together together(std::span<const Step> steps, double usual) {
+Together together(std::span<const Step> steps, double usual, bool sure) {
   if (steps.size() < 2 || !(usual > 0.0)) return Together::walks;
+  const bool half = sure && std::ranges::all_of(steps, [](const Step& step) { return step.gap < 1.5; });
+  const double least = (half ? 0.5 : 1.0) * very_far * usual;
   const auto n = static_cast<double>(steps.size());
   std::vector<double> lengths;
   double x = 0.0, y = 0.0, square = 0.0;
@@ -97,11 +98,10 @@ Together together(std::span<const Step> steps, double usual) {
     x += step.dx / n;
     y += step.dy / n;
   }
-  const auto long_ones = std::ranges::count_if(lengths, [&](double one) { return one > far * usual; });
-  if (static_cast<double>(long_ones) < 0.9 * n || !(statistics::quantile(lengths, 0.5) > very_far * usual))
-    return Together::walks;
+  const auto long_ones = std::ranges::count_if(lengths, [&](double one) { return one > 0.3 * least; });
+  if (static_cast<double>(long_ones) < 0.9 * n || !(statistics::quantile(lengths, 0.5) > least)) return Together::walks;
   for (const Step& step : steps) square += (std::pow(step.dx - x, 2) + std::pow(step.dy - y, 2)) / step.gap / n;
-  return std::sqrt(square) <= far * usual ? Together::shifts : Together::leaps;
+  return std::sqrt(square) <= 3.0 * usual ? Together::shifts : Together::leaps;
 }
 
 void look_for_leaps(const Tracks& tracks, const TrackOptions& options, Findings& findings) {
@@ -110,8 +110,7 @@ void look_for_leaps(const Tracks& tracks, const TrackOptions& options, Findings&
   for (const Found& one : found) steps.push_back(one.step);
   const double usual = usual_step(steps);
   if (!(usual > 0.0)) return;
-  double first = tracks.tracks.front().start;
-  for (const Track& track : tracks.tracks) first = std::min(first, track.start);
+  const double first = tracks.first();
   bool together_once = false;
   for (const auto& [k, across] : across_long_ones(found, usual)) {
     const Together kind = together(across, usual);

@@ -24,9 +24,10 @@ double usual_step(std::span<const Step> steps);
 enum class Together {
   walks,
   shifts, ///< the stage moved: all step alike
-  leaps   ///< nearly all are longer than three usual steps, half of them than ten
+  leaps   ///< half of them are longer than ten usual steps, nearly all than three
 };
-Together together(std::span<const Step> steps, double usual);
+/// @param sure  whether a column changes with them: then half of it is enough for steps over one interval
+Together together(std::span<const Step> steps, double usual, bool sure = false);
 
 /// Looks for times at which all tracks leap, which is another movie, and for single leaps. A fault if all leap from one
 /// interval to the next, unless the caller says that there are no movies; else a note.

@@ -64,7 +64,7 @@ std::string without_header(const SheetRow& row, const TrackOptions& options) {
   const std::size_t n = row.fields.size();
   const bool whole = std::ranges::all_of(
       row.fields, [](const std::string& f) { return f.find_first_not_of("0123456789") == std::string::npos; });
-  const std::string first = n > 4 ? "\"track=2,t=3,x=4,y=5\"" : "\"track=1,t=2,x=3,y=4\"";
+  const std::string first = n > 4 ? "track=2,t=3,x=4,y=5" : "track=1,t=2,x=3,y=4";
   return n == 4 && whole ? fmt::format("has four columns of whole numbers and no header: if they are those of the Cell "
                                        "Tracking Challenge (man_track.txt: label, begin, end, parent), it has no "
                                        "positions; else tell what they hold: {}",
@@ -121,7 +121,7 @@ void tell_no_header(std::string_view text, std::optional<char> separator, const 
   findings.fault(row.line,
                  fmt::format("has no column for {} that is known{}; its columns are {}. Name them: {}",
                              fmt::join(lacking, ", "), options.layout.empty() ? "" : " of " + options.layout,
-                             names_of(row.fields), options.say("columns", "\"track=NAME,t=NAME,x=NAME,y=NAME\"")));
+                             names_of(row.fields), options.say("columns", "track=NAME,t=NAME,x=NAME,y=NAME")));
 }
 
 } // namespace matrigrate::tracks

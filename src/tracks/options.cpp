@@ -44,6 +44,20 @@ void set_column(std::string_view key, std::string name, ColumnNames& names) {
     throw std::invalid_argument(fmt::format("{} is named twice: \"{}\" and \"{}\"", key, excerpt(*own), excerpt(name)));
 }
 
+/// "track=NAME,t=2" as the pairs of a dictionary of Python or of a vector of R.
+std::string pairs_text(std::string_view columns, bool python) {
+  std::vector<std::string> pairs;
+  while (!columns.empty()) {
+    const std::size_t sign = columns.find('='), end = std::min(columns.find(','), columns.size());
+    const std::string_view key = columns.substr(0, sign), name = columns.substr(sign + 1, end - sign - 1);
+    const bool number = name.find_first_not_of("0123456789") == std::string_view::npos;
+    pairs.push_back(
+        fmt::format("{0}{1}{0}{2}{3}{4}{3}", python ? "\"" : "", key, python ? ": " : " = ", number ? "" : "\"", name));
+    columns.remove_prefix(std::min(end + 1, columns.size()));
+  }
+  return fmt::format("{}", fmt::join(pairs, ", "));
+}
+
 } // namespace
 
 void add_columns(std::string_view text, ColumnNames& names) {
@@ -71,12 +85,22 @@ std::optional<Splits> splits_of(std::string_view text) {
 }
 
 std::string TrackOptions::say(std::string_view option, std::string_view value) const {
-  std::string name(option);
-  if (spelling == Spelling::keys) {
-    std::ranges::replace(name, '-', '_');
-    return value.empty() ? name : fmt::format("{} = {}", name, value);
-  }
-  return value.empty() ? fmt::format("--{}", name) : fmt::format("--{} {}", name, value);
+  const bool columns = option == "columns", flag = value == "true";
+  const bool text = option == "time-unit" || option == "splits" || option == "layout";
+  if (spelling == Spelling::options)
+    return fmt::format("--{}{}{}", option, value.empty() || flag ? "" : " ",
+                       flag                        ? ""
+                       : columns && !value.empty() ? fmt::format("\"{}\"", value)
+                                                   : std::string(value));
+  const bool keys = spelling == Spelling::keys, python = spelling == Spelling::python;
+  std::string name(option == "interval" && !keys ? "frame_interval" : option);
+  std::ranges::replace(name, '-', '_');
+  if (value.empty()) return name;
+  std::string said(value);
+  if (flag && !keys) said = python ? "True" : "TRUE";
+  if (columns && !keys) said = (python ? "{" : "c(") + pairs_text(value, python) + (python ? "}" : ")");
+  if (text || (columns && keys)) said = fmt::format("\"{}\"", value);
+  return fmt::format("{}{}{}", name, python ? "=" : " = ", said);
 }
 
 const std::vector<std::string>& time_units() {

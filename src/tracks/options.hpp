@@ -35,8 +35,9 @@ enum class Splits {
 /// "refuse", "cut" or "drop"; nothing for other text.
 std::optional<Splits> splits_of(std::string_view text);
 
-/// How messages spell an option: as one of the command line, or as a key of a study file.
-enum class Spelling { options, keys };
+/// How messages spell an option: as one of the command line, as a key of a study file, or as an argument of Python or
+/// R.
+enum class Spelling { options, keys, python, r };
 
 struct TrackOptions {
   std::optional<double> pixel;    ///< um per unit of length of the file
@@ -46,13 +47,13 @@ struct TrackOptions {
   std::string layout; ///< only the names of this one; empty: of any
   Splits splits = Splits::refuse;
   double jitter = 0.1;      ///< by which a step may differ from the interval, as a share of it
-  bool recalibrate = false; ///< pixel, interval and time_unit replace what the file states
   std::size_t shortest = 4; ///< tracks of fewer positions are left out
   std::size_t fewest = 2;   ///< fewer tracks are refused
   bool may_stand = false;   ///< whether tracks without any motion are taken
   Spelling spelling = Spelling::options;
 
-  /// "--interval S" or "interval = S"; without a value the name alone.
+  /// "--interval S", "interval = S", "frame_interval=S" or "frame_interval = S"; without a value the name alone.
+  /// @param value  of columns "track=NAME,t=2", of a flag "true"
   std::string say(std::string_view option, std::string_view value = {}) const;
 };
 

@@ -74,6 +74,12 @@ void fill(const Text& text, const TrackOptions& options, Tracks& tracks, Finding
 
 } // namespace
 
+double Tracks::first() const { return std::ranges::min_element(tracks, {}, &Track::start)->start; }
+
+std::size_t Tracks::offset(const Track& track, double first) const {
+  return static_cast<std::size_t>(std::llround((track.start - first) / interval));
+}
+
 std::size_t Tracks::positions() const {
   std::size_t sum = 0;
   for (const Track& track : tracks) sum += track.k.size();

@@ -37,6 +37,9 @@ struct Tracks {
   Scales scales;
   std::vector<std::string> notes; ///< what was left out or decided, one sentence each
 
+  double first() const; ///< start of the first track [s]
+  /// Intervals from `first` [s] to the start of a track.
+  std::size_t offset(const Track& track, double first) const;
   std::size_t positions() const;
   std::size_t missing() const; ///< positions within tracks
 };

@@ -18,7 +18,8 @@ struct Spot {
   double frame = 0.0;    ///< if there are frames
   double x = 0.0;
   double y = 0.0;
-  std::size_t line = 0; ///< 0 where it has none
+  std::size_t line = 0;          ///< 0 where it has none
+  const SheetRow* row = nullptr; ///< of a table, while it is read
 };
 
 /// What the columns of a file were taken for; empty where there is none.

@@ -12,7 +12,6 @@
 #include <array>
 #include <cmath>
 #include <map>
-#include <numeric>
 #include <optional>
 #include <set>
 #include <tuple>
@@ -76,7 +75,7 @@ public:
     }
     const bool repeat = std::ranges::any_of(groups, [](const auto& one) { return one.second.size() > 1; });
     for (std::size_t i = 0; i < rows.size(); ++i) add(*rows[i], repeat ? ids[i].first + ids[i].second : ids[i].second);
-    count_doubles_once();
+    put_in_order();
     look_at_twins();
     tell(repeat, movies);
     finish(repeat ? movies : std::vector<std::size_t>{});
@@ -87,28 +86,30 @@ public:
   std::vector<std::size_t> movie_columns() {
     std::vector<std::size_t> found;
     if (!m_options.columns.group.empty() || !m_findings.good()) return found;
-    const std::vector<std::pair<std::size_t, std::size_t>> pairs = successive();
+    const std::vector<std::size_t> ends = ends_of_steps();
     std::vector<double> gaps;
-    for (const auto& [a, b] : pairs) gaps.push_back(time_of(b) - time_of(a));
+    for (const std::size_t i : ends) gaps.push_back(time_of(m_spots.spots[i]) - time_of(m_spots.spots[i - 1]));
     const double interval = gaps.empty() ? 1.0 : statistics::quantile(gaps, 0.5);
     std::vector<Step> steps;
-    for (const auto& [a, b] : pairs)
-      steps.push_back({.dx = m_spots.spots[b].x - m_spots.spots[a].x,
-                       .dy = m_spots.spots[b].y - m_spots.spots[a].y,
-                       .gap = std::max(1.0, (time_of(b) - time_of(a)) / interval)});
+    for (std::size_t i = 0; i < ends.size(); ++i) {
+      const Spot &a = m_spots.spots[ends[i] - 1], &b = m_spots.spots[ends[i]];
+      steps.push_back({.dx = b.x - a.x, .dy = b.y - a.y, .gap = std::max(1.0, gaps[i] / interval)});
+    }
     const double usual = usual_step(steps);
     std::set<std::size_t> told; // steps that lead to another movie
     for (const std::size_t c : free_columns()) {
-      std::set<std::size_t> changes;
-      for (std::size_t i = 0; i < pairs.size(); ++i)
-        if (field(*m_rows[pairs[i].first], c) != field(*m_rows[pairs[i].second], c)) changes.insert(i);
+      std::vector<std::size_t> changes;
       std::vector<Step> changing;
-      for (const std::size_t i : changes) changing.push_back(steps[i]);
-      if (4 * changes.size() > steps.size() || std::ranges::includes(told, changes)
-          || together(changing, usual) != Together::leaps || !is_of_time(c))
+      for (std::size_t i = 0; i < ends.size() && 4 * changes.size() <= ends.size(); ++i)
+        if (field(*m_spots.spots[ends[i] - 1].row, c) != field(*m_spots.spots[ends[i]].row, c)) {
+          changes.push_back(i);
+          changing.push_back(steps[i]);
+        }
+      if (4 * changes.size() > ends.size() || std::ranges::includes(told, changes)
+          || together(changing, usual, true) != Together::leaps || !is_of_time(c))
         continue;
       found.push_back(c);
-      told.merge(changes);
+      told.insert(changes.begin(), changes.end());
     }
     if (found.empty()) look_at_collisions(found);
     return found;
@@ -119,28 +120,26 @@ private:
     return m_table.parts > 1 && !m_table.header.empty() && column == m_table.header.size();
   }
 
-  double time_of(std::size_t spot) const { return m_table.frame ? m_spots.spots[spot].frame : m_spots.spots[spot].t; }
+  double time_of(const Spot& spot) const { return m_table.frame ? spot.frame : spot.t; }
 
-  /// Spots in the order of tracks and times.
-  std::vector<std::size_t> order() const {
-    std::vector<std::size_t> order(m_spots.spots.size());
-    std::iota(order.begin(), order.end(), std::size_t{0});
-    std::ranges::stable_sort(order, {}, [this](std::size_t i) {
-      const Spot& spot = m_spots.spots[i];
-      return std::tuple(spot.track, time_of(i), spot.t, spot.x, spot.y);
-    });
-    return order;
+  /// Spots in the order of tracks and times. Rows that say the same of one track at one time count once.
+  void put_in_order() {
+    const auto key = [this](const Spot& s) { return std::tuple(s.track, time_of(s), s.t, s.x, s.y); };
+    std::ranges::stable_sort(m_spots.spots, {}, key);
+    const auto doubles = std::ranges::unique(m_spots.spots, {}, key);
+    if (doubles.empty()) return;
+    m_findings.note(doubles.size() == 1 ? "1 row stands there twice, and counts once"
+                                        : fmt::format("{} rows stand there twice, and count once", doubles.size()));
+    m_spots.spots.erase(doubles.begin(), doubles.end());
   }
 
-  /// Pairs of spots that follow one another in a track.
-  std::vector<std::pair<std::size_t, std::size_t>> successive() const {
-    std::vector<std::pair<std::size_t, std::size_t>> pairs;
-    const std::vector<std::size_t> sorted = order();
-    for (std::size_t i = 1; i < sorted.size(); ++i)
-      if (const std::size_t a = sorted[i - 1], b = sorted[i];
-          m_spots.spots[a].track == m_spots.spots[b].track && time_of(b) > time_of(a))
-        pairs.emplace_back(a, b);
-    return pairs;
+  /// Spots to which a step leads.
+  std::vector<std::size_t> ends_of_steps() const {
+    std::vector<std::size_t> ends;
+    for (std::size_t i = 1; i < m_spots.spots.size(); ++i)
+      if (const Spot& a = m_spots.spots[i - 1], &b = m_spots.spots[i]; a.track == b.track && time_of(b) > time_of(a))
+        ends.push_back(i);
+    return ends;
   }
 
   /// Columns that nothing is read from.
@@ -156,53 +155,25 @@ private:
   /// Whether each time has one value of a column.
   bool is_of_time(std::size_t column) const {
     std::map<double, const std::string*> values;
-    for (std::size_t i = 0; i < m_rows.size(); ++i) {
-      const std::string& value = field(*m_rows[i], column);
-      if (*values.emplace(time_of(i), &value).first->second != value) return false;
-    }
-    return true;
-  }
-
-  /// Rows that say the same of one track at one time count once.
-  void count_doubles_once() {
-    const std::vector<std::size_t> sorted = order();
-    std::set<std::size_t> doubles;
-    for (std::size_t i = 1; i < sorted.size(); ++i) {
-      const Spot &a = m_spots.spots[sorted[i - 1]], &b = m_spots.spots[sorted[i]];
-      if (a.track == b.track && a.t == b.t && a.frame == b.frame && a.x == b.x && a.y == b.y) doubles.insert(sorted[i]);
-    }
-    if (doubles.empty()) return;
-    std::size_t to = 0;
-    for (std::size_t i = 0; i < m_rows.size(); ++i)
-      if (!doubles.contains(i)) {
-        m_spots.spots[to] = m_spots.spots[i];
-        m_rows[to++] = m_rows[i];
-      }
-    m_spots.spots.resize(to);
-    m_rows.resize(to);
-    m_findings.note(
-        fmt::format("{} twice, and {} once",
-                    counted(doubles.size(), "row") + (doubles.size() == 1 ? " stands there" : " stand there"),
-                    doubles.size() == 1 ? "counts" : "count"));
+    return std::ranges::all_of(m_spots.spots, [&](const Spot& spot) {
+      const std::string& value = field(*spot.row, column);
+      return *values.emplace(time_of(spot), &value).first->second == value;
+    });
   }
 
   /// If an id is in two places at one time: the column that tells them apart.
   void look_at_collisions(std::vector<std::size_t>& found) {
-    std::set<std::pair<std::size_t, double>> places;
-    bool collide = false;
-    for (std::size_t i = 0; i < m_rows.size(); ++i)
-      collide = !places.emplace(m_spots.spots[i].track, time_of(i)).second || collide;
-    if (!collide) return;
+    const auto place = [this](const Spot& s) { return std::pair(s.track, time_of(s)); };
+    if (std::ranges::adjacent_find(m_spots.spots, {}, place) == m_spots.spots.end()) return;
     for (const std::size_t c : free_columns()) {
       std::set<std::tuple<std::size_t, std::string_view, double>> apart;
       std::set<std::pair<std::size_t, std::string_view>> tracks;
-      bool free = true;
-      for (std::size_t i = 0; i < m_rows.size() && free; ++i) {
-        const std::string& value = field(*m_rows[i], c);
-        free = apart.emplace(m_spots.spots[i].track, value, time_of(i)).second;
-        tracks.emplace(m_spots.spots[i].track, value);
-      }
-      if (!free || 3 * tracks.size() > m_rows.size()) continue;
+      const bool tells = std::ranges::all_of(m_spots.spots, [&](const Spot& spot) {
+        const std::string& value = field(*spot.row, c);
+        tracks.emplace(spot.track, value);
+        return apart.emplace(spot.track, value, time_of(spot)).second;
+      });
+      if (!tells || 3 * tracks.size() > m_spots.spots.size()) continue;
       if (is_part(c))
         found.push_back(c);
       else
@@ -325,10 +296,10 @@ private:
     if (where != nullptr && worst > same * range)
       m_findings.fault(
           where->line,
-          fmt::format("{}{} contradict each other, {} and {}: name the right one, {}", both,
-                      name == second ? ", and the two" : "", field(*where, column), field(*where, other),
-                      m_options.say("columns", fmt::format("\"{}={}\"", key,
-                                                           name == second ? std::to_string(column + 1) : name))));
+          fmt::format(
+              "{}{} contradict each other, {} and {}: name the right one, {}", both,
+              name == second ? ", and the two" : "", field(*where, column), field(*where, other),
+              m_options.say("columns", fmt::format("{}={}", key, name == second ? std::to_string(column + 1) : name))));
     else if (first)
       m_findings.note(fmt::format("{}{} say the same", both, name == second ? "; both" : ""));
   }
@@ -376,8 +347,8 @@ private:
     const std::string& time = field(row, m_table.t);
     if (const std::size_t sign = time.find(m_signs.decimal); sign != std::string::npos)
       m_decimals = std::max(m_decimals, time.size() - sign - 1);
-    m_spots.spots.push_back({.track = own->second, .t = *t, .frame = *frame, .x = *x, .y = *y, .line = row.line});
-    m_rows.push_back(&row);
+    m_spots.spots.push_back(
+        {.track = own->second, .t = *t, .frame = *frame, .x = *x, .y = *y, .line = row.line, .row = &row});
   }
 
   /// Imaris and this program state units in each row.
@@ -442,7 +413,6 @@ private:
   NumberSigns m_signs;
   Clock m_clock;
   Spots m_spots;
-  std::vector<const SheetRow*> m_rows;          ///< of the spots
   std::vector<std::string> m_parts;             ///< names of the files that were joined
   std::map<std::string, std::size_t> m_numbers; ///< of tracks, by their names
   std::vector<double> m_last;                   ///< time of each track so far

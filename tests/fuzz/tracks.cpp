@@ -52,7 +52,6 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   if ((how & 1U) != 0) options.pixel = 0.5;
   if ((how & 2U) != 0) options.interval = 120.0;
   if ((how & 4U) != 0) options.time_unit = "min";
-  options.recalibrate = (how & 8U) != 0;
   options.splits = static_cast<Splits>((how >> 4U) % 3U);
   if ((how & 64U) != 0) add_columns("track=1,t=2,x=3,y=4", options.columns);
   try {

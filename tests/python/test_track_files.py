@@ -246,7 +246,6 @@ class Arguments(common.InTemporaryFolder):
                 ("jitter is an array; a number is expected", TypeError, {"jitter": [1]}),
                 ("columns is a string; a dictionary of columns is expected", TypeError, {"columns": "track"}),
                 ("columns['x'] is a number; the name of a column", TypeError, {"columns": {"x": 1.5}}),
-                ("recalibrate is a string; ", TypeError, {"recalibrate": "yes"}),
                 ("splits is a flag; a text is expected", TypeError, {"splits": True}),
                 ("interval: is the older name of frame_interval", matrigrate.ConfigurationError, {"interval": 1, "frame_interval": 1})):
             with self.subTest(words), self.assertRaisesRegex(kind, re.escape(words)):
@@ -258,12 +257,11 @@ class Arguments(common.InTemporaryFolder):
 
     def test_a_calibration_can_be_overruled(self):
         (self.folder / "spots.csv").write_text(layouts.trackmate("(micron)", "(sec)", 1.0))
-        with self.assertRaisesRegex(matrigrate.ConfigurationError, "recalibrate=True"):
-            tracks.read("spots.csv", pixel=0.65, frame_interval=300)
-        cells = tracks.read("spots.csv", pixel=0.65, frame_interval=300, recalibrate=True)
+        cells = tracks.read("spots.csv", pixel=0.65, frame_interval=300)
         self.assertEqual(cells.interval, 300)
         self.assertAlmostEqual(cells.readouts(resamples=0)["value"]["speed_um_per_h"], layouts.speed * 0.65 * 120 / 300)
-        self.assertTrue(cells.notes)
+        self.assertEqual(cells.notes[:2], ["the file says that POSITION_X is in micron; it is taken as 0.65 um per unit, as given",
+                                           "POSITION_T says 1 s from frame to frame; it is taken as 300 s, as given"])
 
     def test_tracks_out_of_step_keep_their_times(self):
         late = [f"{s.cell},{s.frame * 120 + (60 if s.cell == 2 else 0)},{s.x},{s.y}" for s in layouts.spots()]

@@ -35,7 +35,7 @@ public:
       options.splits = static_cast<tracks::Splits>(m_faults.choice(*node, key("splits"), {"refuse", "cut", "drop"}));
     if (const auto* node = m_table.get("jitter"))
       options.jitter = m_faults.number(*node, key("jitter")).value_or(options.jitter);
-    if (const auto* node = m_table.get("recalibrate")) options.recalibrate = m_faults.flag(*node, key("recalibrate"));
+    if (const auto* node = m_table.get("recalibrate")) m_faults.flag(*node, key("recalibrate")); // of 0.3.0
     if (const auto* node = m_table.get("shortest"))
       options.shortest = m_faults.whole(*node, key("shortest"), 2, 1'000'000);
     for (const std::string& fault : tracks::faults_of(options)) {

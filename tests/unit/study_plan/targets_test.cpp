@@ -229,7 +229,7 @@ TEST_F(MeasuredTracks, EachFaultHasItsLine) {
   const std::string good = "1,0,0,0\n1,600,3,4\n2,0,0,0\n2,600,9,12\n";
   EXPECT_EQ(faults(head + good), "none");
   EXPECT_EQ(faults("track,t,x_um,y_um\n1,0,0,0\n1,9,1,1\n"),
-            "c.csv: does not state the unit of t: give time_unit = \"s\" or \"min\"");
+            "c.csv: does not state the unit of t: give time_unit = \"s\" (or min)");
   EXPECT_EQ(faults(head + "1,0,0,0\n1,600,inf,4\n1,x,3,4\n"),
             "c.csv:3:1: x_um: \"inf\" is no finite number\nc.csv:4:1: t_s: \"x\" is no finite number");
   EXPECT_EQ(faults(head + "1,0,0\n"), "c.csv:2:1: has 3 fields, the header 4");

@@ -6,13 +6,11 @@
 namespace matrigrate::tracks {
 namespace {
 
-TrackOptions given(std::optional<double> pixel, std::optional<double> interval, std::string unit = {},
-                   bool recalibrate = false) {
+TrackOptions given(std::optional<double> pixel, std::optional<double> interval, std::string unit = {}) {
   TrackOptions options;
   options.pixel = pixel;
   options.interval = interval;
   options.time_unit = std::move(unit);
-  options.recalibrate = recalibrate;
   options.shortest = 2;
   options.fewest = 1;
   return options;
@@ -20,14 +18,13 @@ TrackOptions given(std::optional<double> pixel, std::optional<double> interval, 
 
 constexpr std::nullopt_t none = std::nullopt;
 
-TEST(TrackLength, IsStatedOrGivenAndNeverBothWays) {
+TEST(TrackLength, IsStatedOrGivenAndWhatIsGivenCounts) {
   const std::string um = "track,t_s,x_um,y_um\n1,0,0,0\n1,300,3,4\n", bare = "track,t_s,x,y\n1,0,0,0\n1,300,3,4\n";
   EXPECT_EQ(speed(of_text(um, given(none, none))), 60.0);
   EXPECT_EQ(speed(of_text(um, given(1.0, none))), 60.0) << "the same";
-  EXPECT_EQ(faults(um, given(0.65, none)),
-            "f: x_um is in um; --pixel 0.65 contradicts it: leave it out, or add --recalibrate if the "
-            "file is wrong");
-  EXPECT_DOUBLE_EQ(speed(of_text(um, given(0.65, none, "", true))), 39.0);
+  EXPECT_DOUBLE_EQ(speed(of_text(um, given(0.65, none))), 39.0);
+  EXPECT_TRUE(notes(of_text(um, given(0.65, none)),
+                    "the file says that x_um is in um; it is taken as 0.65 um per unit, as given"));
   EXPECT_EQ(faults(bare, given(none, none)),
             "f: does not state the unit of x and y: give --pixel UM, um per unit (1 if um)");
   EXPECT_EQ(speed(of_text(bare, given(0.5, none))), 30.0);
@@ -40,33 +37,34 @@ TEST(TrackTime, OfTwoColumnsIsNotGuessed) {
       faults(both, given(1.0, none)),
       "f: does not state the unit of POSITION_T: give --time-unit s (or min), or --interval S, s from FRAME to FRAME");
   EXPECT_EQ(faults(both, given(1.0, 1.0)),
-            "f: POSITION_T rises by 300 from frame to frame, which is 1 s in no unit of time: give "
-            "--time-unit s (or min) and no --interval, or add --recalibrate if POSITION_T is wrong");
+            "f: POSITION_T rises by 300 from frame to frame, and its unit is not stated: give --time-unit s (or min) "
+            "and no --interval, or --columns \"frame=FRAME\" if POSITION_T is wrong");
   EXPECT_EQ(speed(of_text(both, given(1.0, 300.0))), 60.0);
   EXPECT_EQ(speed(of_text(both, given(1.0, none, "s"))), 60.0);
-  EXPECT_EQ(speed(of_text(both, given(1.0, 600.0, "", true))), 30.0);
+  TrackOptions frames = given(1.0, 600.0);
+  frames.columns.frame = "FRAME";
+  EXPECT_EQ(speed(of_text(both, frames)), 30.0);
   const std::string minutes = "track,frame,t,x_um,y_um\n1,0,0,0,0\n1,1,5,3,4\n";
   EXPECT_NE(faults(minutes, given(none, 60.0)), "none");
   EXPECT_EQ(speed(of_text(minutes, given(none, 300.0))), 60.0);
   EXPECT_EQ(speed(of_text(minutes, given(none, none, "min"))), 60.0);
 }
 
-TEST(TrackTime, ThatTheFileStatesIsOverruledOnlyIfAsked) {
+TEST(TrackTime, ThatTheFileStatesIsOverruledWithANote) {
   const std::string seconds =
       "TRACK_ID,POSITION_X,POSITION_Y,POSITION_T,FRAME\nt,X,Y,T,F\nt,X,Y,T,F\n,(micron),(micron),(sec),\n"
       "0,0,0,0,0\n0,3,4,1,1\n";
-  EXPECT_EQ(faults(seconds, given(none, 300.0)), "f: POSITION_T says 1 s from frame to frame; --interval 300 "
-                                                 "contradicts it: leave it out, or add --recalibrate if the "
-                                                 "file is wrong");
-  const Tracks right = of_text(seconds, given(none, 300.0, "", true));
+  const Tracks right = of_text(seconds, given(none, 300.0));
   EXPECT_EQ(speed(right), 60.0);
-  EXPECT_TRUE(notes(right, "times are FRAME x 300 s; POSITION_T is not used"));
+  EXPECT_TRUE(notes(right, "POSITION_T says 1 s from frame to frame; it is taken as 300 s, as given"));
   EXPECT_TRUE(
       notes(of_text(seconds, given(none, none)), "18000 um/h is faster than cells crawl: are the units right?"));
-  EXPECT_NE(faults(seconds, given(none, none, "min")), "none");
+  EXPECT_TRUE(notes(of_text(seconds, given(none, none, "min")),
+                    "the file says that POSITION_T is in sec; it is taken as in min, as given"));
   const std::string alone = "track,t_s,x_um,y_um\n1,0,0,0\n1,1,3,4\n";
-  EXPECT_NE(faults(alone, given(none, 300.0)), "none");
-  EXPECT_EQ(speed(of_text(alone, given(none, 300.0, "", true))), 60.0);
+  EXPECT_EQ(speed(of_text(alone, given(none, 300.0))), 60.0);
+  EXPECT_TRUE(notes(of_text(alone, given(none, 300.0)),
+                    "t_s says 1 s from position to position; it is taken as 300 s, as given"));
 }
 
 TEST(TrackTime, OfFramesNeedsTheInterval) {

@@ -90,10 +90,10 @@ TEST(TrackFiles, ACellThatDividesIsRefusedCutOrLeftOut) {
 }
 
 TEST(TrackFiles, TimesAreNotGuessed) {
-  EXPECT_EQ(
-      faults_of_file("celltrackr.csv", calibrated(1.0, 24.0)),
-      "celltrackr.csv: t rises by 24 from position to position, so it counts no frames: give --time-unit s (or min) "
-      "instead of --interval");
+  EXPECT_EQ(faults_of_file("celltrackr.csv", calibrated(1.0, 24.0)),
+            "celltrackr.csv: t rises by 24 from position to position, and its unit is not stated: give --time-unit s "
+            "(or min) "
+            "and no --interval");
   TrackOptions seconds;
   seconds.pixel = 1.0;
   seconds.time_unit = "s";

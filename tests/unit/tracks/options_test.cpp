@@ -35,10 +35,19 @@ TEST(TrackOptions, OutOfRange) {
 
 TEST(TrackOptions, AreSpelledAsTheirCallerWritesThem) {
   TrackOptions options;
-  EXPECT_EQ(options.say("time-unit", "s"), "--time-unit s");
-  options.spelling = Spelling::keys;
-  EXPECT_EQ(options.say("time-unit", "\"s\""), "time_unit = \"s\"");
-  EXPECT_EQ(options.say("recalibrate"), "recalibrate");
+  const auto words = [&](Spelling spelling) {
+    options.spelling = spelling;
+    return options.say("time-unit", "s") + "; " + options.say("interval", "S") + "; "
+           + options.say("columns", "track=A,t=2") + "; " + options.say("drift", "true") + "; "
+           + options.say("interval");
+  };
+  EXPECT_EQ(words(Spelling::options), "--time-unit s; --interval S; --columns \"track=A,t=2\"; --drift; --interval");
+  EXPECT_EQ(words(Spelling::keys),
+            "time_unit = \"s\"; interval = S; columns = \"track=A,t=2\"; drift = true; interval");
+  EXPECT_EQ(words(Spelling::python),
+            "time_unit=\"s\"; frame_interval=S; columns={\"track\": \"A\", \"t\": 2}; drift=True; frame_interval");
+  EXPECT_EQ(words(Spelling::r),
+            "time_unit = \"s\"; frame_interval = S; columns = c(track = \"A\", t = 2); drift = TRUE; frame_interval");
 }
 
 TEST(ColumnTitles, NamesAndUnits) {

@@ -25,10 +25,8 @@ TEST(TrackMateXml, IsCalibratedByItselfOrByTheCaller) {
   TrackOptions interval;
   interval.interval = 300.0;
   const std::string wrong = xml("spaceUnits=\"um\" frameInterval=\"1.0\" timeUnits=\"sec\"");
-  EXPECT_EQ(faults(wrong, few(interval)),
-            "f: frameInterval says 1 s from frame to frame; --interval 300 contradicts it: leave it out, or "
-            "add --recalibrate if the file is wrong");
-  interval.recalibrate = true;
+  EXPECT_TRUE(notes(of_text(wrong, few(interval)),
+                    "frameInterval says 1 s from frame to frame; it is taken as 300 s, as given"));
   EXPECT_EQ(speed(of_text(wrong, few(interval))), 60.0);
   EXPECT_EQ(
       speed(of_text(xml("spaceUnits=\"um\" frameInterval=\"1.0\" timeUnits=\"frame\""), few(calibrated(1.0, 300.0)))),
@@ -59,6 +57,11 @@ TEST(MTrackJ, TracksOfClusters) {
   EXPECT_EQ(cells.tracks[1].name, "2/1");
   EXPECT_EQ(cells.tracks[1].start, 240.0);
   EXPECT_EQ(speed(cells), (600.0 + 120.0) / 2);
+  const Tracks two =
+      of_text(text + "Assembly 2 FF0000\nCluster 1\nTrack 1\nPoint 1 9 9 1 7 1\nPoint 2 9 8 1 8 1\n" + end,
+              few(calibrated(2.0, 60.0)));
+  ASSERT_EQ(two.tracks.size(), 3U);
+  EXPECT_EQ(two.tracks[2].name, "2/1/1");
   EXPECT_EQ(faults(text + end, few()),
             "f: x and y are in pixel: give --pixel UM, um per pixel\n"
             "f: its times are numbers of frames (t): give --interval S, s from frame to frame");
