@@ -98,10 +98,11 @@ class Files(common.InTemporaryFolder):
         faults = self.refused("POSITION_X and POSITION_Y are in pixel: give pixel=UM", "spots.csv")
         self.assertEqual(len(faults), 2, "length and time, at once")
         self.spots("(micron)", "(sec)")
-        self.refused("pixel=0.65 contradicts it", "spots.csv", pixel=0.65)
+        self.assertIn("the file says that POSITION_X is in micron; it is taken as 0.65 um per unit, as given",
+                      tracks.read("spots.csv", pixel=0.65).notes)
         self.plain("id,t,x,y", "{k},{t},{x},{y}")
         self.refused("does not state the unit of x and y", "plain.csv", time_unit="s")
-        self.refused("so it counts no frames: give time_unit=", "plain.csv", pixel=1, interval=1)
+        self.refused("its unit is not stated: give time_unit=", "plain.csv", pixel=1, interval=1)
 
     def test_wrong_files(self):
         units = {"pixel": 1, "time_unit": "s"}

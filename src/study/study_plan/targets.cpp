@@ -110,8 +110,10 @@ private:
     if (tracks != nullptr) return tracks;
     try {
       FaultList wrong_keys(m_faults.file());
-      const tracks::TrackOptions options = read_track_keys(table, "targets", wrong_keys);
+      tracks::TrackOptions options = read_track_keys(table, "targets", wrong_keys);
       wrong_keys.raise();
+      // The copy in the folder of a study has been looked at for other movies, and its tracks all begin at 0.
+      if (file.filename().string().starts_with("measured-")) options.columns.group.emplace_back("none");
       tracks = std::make_shared<const std::vector<tracks::CellTrack>>(
           tracks::measured_tracks(file, options, tracks::TracksFor::readouts, target.notes));
     } catch (const ConfigurationError& error) {

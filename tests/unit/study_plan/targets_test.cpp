@@ -4,6 +4,7 @@
 #include "base/file.hpp"
 #include "unit/study_plan/studies.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <unistd.h>
@@ -223,6 +224,19 @@ TEST_F(MeasuredTracks, OfOtherProgramsAreReadByKeys) {
   EXPECT_EQ(faults(table, speed + file + "pixel = \"5 s\"\ninterval = 0\n"),
             "f.toml:8:9: targets.pixel: \"5 s\": is a time; write it in um\n"
             "f.toml:9:12: targets.interval: 0 is out of range; allowed are numbers above 0 up to 1e9");
+}
+
+TEST_F(MeasuredTracks, OfTwoMoviesAreRefusedButInTheCopyOfAStudy) {
+  std::string glued = head;
+  for (int cell = 1; cell <= 2; ++cell)
+    for (int k = 0; k < 12; ++k)
+      glued += fmt::format("{},{},{},{}\n", cell, 600 * k, cell * k + (k > 5 ? 100 : 0), k > 5 ? cell * 200 : 0);
+  EXPECT_NE(faults(glued).find("another movie begins. Tell movies apart by a column, columns = \"group=NAME\""),
+            std::string::npos)
+      << faults(glued);
+  const Study s = study_of(glued, speed + file + "columns = {group = \"none\"}\n");
+  write_file(folder / "measured-1.csv", tracks::measured_csv(*s.targets[0].tracks));
+  EXPECT_EQ(study_of(glued, speed + "tracks = \"measured-1.csv\"\n").targets[0].low, s.targets[0].low);
 }
 
 TEST_F(MeasuredTracks, EachFaultHasItsLine) {
