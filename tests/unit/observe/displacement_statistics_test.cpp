@@ -50,6 +50,17 @@ TEST(Msd, OfARandomWalkGrowsInProportionToTheLag) {
   EXPECT_NEAR(slope, 1.0, 0.1);
 }
 
+TEST(Msd, HasTheBitsOfSumsByTime) {
+  const auto rows = walk(41, [](double k) { return Vec2(7.3 * std::sin(1.7 * k * k), 0.31 * k + std::cos(k)); });
+  const std::vector<MsdPoint> points = mean_square_displacement(rows, 60.0);
+  ASSERT_EQ(points.size(), 20U);
+  for (std::size_t lag = 1; lag <= points.size(); ++lag) {
+    double sum = 0.0;
+    for (std::size_t k = 0; k + lag < rows.size(); ++k) sum += (rows[k + lag].centre - rows[k].centre).squaredNorm();
+    EXPECT_EQ(points[lag - 1].msd, sum / static_cast<double>(rows.size() - lag)) << lag;
+  }
+}
+
 TEST(Msd, NeedsRowsAtMultiplesOfTheInterval) {
   const auto rows = walk(20, [](double k) { return Vec2(k, 0.0); });
   EXPECT_TRUE(mean_square_displacement(rows, 90.0).empty());
