@@ -115,7 +115,7 @@ _matrigrate() {
   matrigrate_resume)
     if [[ $cur == -* ]]; then COMPREPLY=($(compgen -W "--help --output --at --set --seed --hours --threads --wall-time --previous --json --quiet" -- "$cur")); else _matrigrate_files -d; fi ;;
   matrigrate_report)
-    if [[ $cur == -* ]]; then COMPREPLY=($(compgen -W "--help --play --tracks --pixel --interval --time-unit --columns --layout --splits --jitter --recalibrate" -- "$cur")); else _matrigrate_files -d; fi ;;
+    if [[ $cur == -* ]]; then COMPREPLY=($(compgen -W "--help --play --tracks --pixel --interval --time-unit --columns --layout --splits --jitter" -- "$cur")); else _matrigrate_files -d; fi ;;
   matrigrate_open)
     if [[ $cur == -* ]]; then COMPREPLY=($(compgen -W "--help --print" -- "$cur")); else _matrigrate_files -d; fi ;;
   matrigrate_export)
@@ -137,7 +137,7 @@ _matrigrate() {
   matrigrate_study_task)
     if [[ $cur == -* ]]; then COMPREPLY=($(compgen -W "--help --list" -- "$cur")); else _matrigrate_files -d; fi ;;
   matrigrate_tracks)
-    if [[ $cur == -* ]]; then COMPREPLY=($(compgen -W "--help --pixel --interval --time-unit --columns --layout --splits --jitter --recalibrate --shortest --fewest --drift --every --error --resamples --output --force --json" -- "$cur")); else _matrigrate_files -f; fi ;;
+    if [[ $cur == -* ]]; then COMPREPLY=($(compgen -W "--help --pixel --interval --time-unit --columns --layout --splits --jitter --shortest --fewest --drift --every --error --resamples --output --force --json" -- "$cur")); else _matrigrate_files -f; fi ;;
   matrigrate_list)
     if [[ $cur == -* ]]; then COMPREPLY=($(compgen -W "--help --parameters --schema-json --readouts-json" -- "$cur")); else COMPREPLY=(); fi ;;
   matrigrate_live)

@@ -90,7 +90,6 @@ complete -c matrigrate -n '__matrigrate_at report' -l columns -x -d 'Which colum
 complete -c matrigrate -n '__matrigrate_at report' -l layout -x -a 'celltrackscolab trackmate plain btrack trackpy mosaic manual-tracking mtrackj imaris cellprofiler napari celltrackr' -d 'Take the names of columns of one program alone: celltrackscolab, trackmate, plain, btrack, trackpy, mosaic, manual-tracking, mtrackj, ilastik, imaris, cellprofiler, napari, celltrackr'
 complete -c matrigrate -n '__matrigrate_at report' -l splits -x -a 'refuse cut drop' -d 'Tracks with two positions at one time: refuse, cut (they end before) or drop (they are left out)'
 complete -c matrigrate -n '__matrigrate_at report' -l jitter -x -d 'By which a step of time may differ from the interval, as a share of it'
-complete -c matrigrate -n '__matrigrate_at report' -l recalibrate -d 'Take --pixel, --interval and --time-unit against what the file states'
 
 complete -c matrigrate -n '__matrigrate_at open' -a '(__fish_complete_directories)'
 complete -c matrigrate -n '__matrigrate_at open' -s h -l help -d 'Print this help message and exit'
@@ -180,7 +179,6 @@ complete -c matrigrate -n '__matrigrate_at tracks' -l columns -x -d 'Which colum
 complete -c matrigrate -n '__matrigrate_at tracks' -l layout -x -a 'celltrackscolab trackmate plain btrack trackpy mosaic manual-tracking mtrackj imaris cellprofiler napari celltrackr' -d 'Take the names of columns of one program alone: celltrackscolab, trackmate, plain, btrack, trackpy, mosaic, manual-tracking, mtrackj, ilastik, imaris, cellprofiler, napari, celltrackr'
 complete -c matrigrate -n '__matrigrate_at tracks' -l splits -x -a 'refuse cut drop' -d 'Tracks with two positions at one time: refuse, cut (they end before) or drop (they are left out)'
 complete -c matrigrate -n '__matrigrate_at tracks' -l jitter -x -d 'By which a step of time may differ from the interval, as a share of it'
-complete -c matrigrate -n '__matrigrate_at tracks' -l recalibrate -d 'Take --pixel, --interval and --time-unit against what the file states'
 complete -c matrigrate -n '__matrigrate_at tracks' -l shortest -x -d 'Leave tracks of fewer positions out (default 4)'
 complete -c matrigrate -n '__matrigrate_at tracks' -l fewest -x -d 'Refuse fewer tracks (default 2)'
 complete -c matrigrate -n '__matrigrate_at tracks' -l drift -d 'Take the mean motion of all tracks away, where five go on together'

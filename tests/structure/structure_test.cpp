@@ -49,7 +49,7 @@ TEST(Structure, WingsAreFewAndDependOneWay) {
   for (const auto& entry : std::filesystem::directory_iterator(src))
     if (entry.is_directory()) there.insert(entry.path().filename());
   EXPECT_EQ(std::set<std::string>(order.begin(), order.end()), there);
-  EXPECT_LE(order.size(), 8U) << "doors of src/";
+  EXPECT_LE(order.size(), 9U) << "doors of src/"; // tracks is the ninth: reading, units and read-outs of measured cells
   const auto known = libraries(src);
   const auto place = [&](const std::string& library) {
     const std::string wing = std::filesystem::relative(known.at(library), src).begin()->string();
@@ -72,7 +72,7 @@ TEST(Structure, RoomsAreFew) {
       if (file.path().extension() == ".cpp")
         top.insert(name == "src" ? file.path().lexically_relative(src).begin()->string() : name);
   }
-  EXPECT_LE(top.size(), 14U);
+  EXPECT_LE(top.size(), 15U);
   std::map<std::string, int> rooms; // libraries of each wing
   for (const auto& [library, folder] : libraries(src)) ++rooms[folder.lexically_relative(src).begin()->string()];
   for (const auto& [wing, count] : rooms) EXPECT_LE(count, wing == "model" ? 9 : 8) << "libraries in src/" << wing;
