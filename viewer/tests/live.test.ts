@@ -8,6 +8,7 @@ import { exported } from "../src/live/export";
 import { LiveFilm, type FilmImage } from "../src/live/film";
 import type { CoreFrame, Head, TrackRow } from "../src/live/protocol";
 import { drawnFiles, fresh, fromHash, given, now, pascals, toHash, type Scenario, type StrokeKind } from "../src/live/scenario";
+import { csv, resultsOf } from "../src/live/results";
 import { addTracks, noTracks } from "../src/live/scene";
 import { tracksOfCells } from "../src/run/cells";
 import { extremes, layers } from "../src/run/matrix/layers";
@@ -174,7 +175,9 @@ test("an address carries a scenario, and says what is wrong with it", () => {
   assert.deepEqual(fromHash(toHash({ ...drawn, toml: 'a = "\u00b5"' }))?.toml, 'a = "\u00b5"');
   assert.equal(fromHash(""), null);
   assert.equal(fromHash("#t=3"), null);
-  assert.throws(() => fromHash("#scenario=AAAA"), /cannot be read/);
+  const whole = toHash(drawn);
+  for (const broken of ["#scenario=AAAA", "#scenario=%%%", whole.slice(0, -5), `${whole.slice(0, 30)}xx${whole.slice(32)}`, `#scenario=${btoa("null")}`, `#scenario=${btoa('{"v":1,"draw":3}')}`])
+    assert.throws(() => fromHash(broken), /cannot be read: a part of it is missing or was changed; copy the whole link once more\.$/, broken);
   assert.throws(() => fromHash(`#scenario=${btoa('{"v":2}')}`), /version is 2/);
   assert.throws(() => fromHash(`#scenario=${btoa('{"v":1,"draw":[["x",1,2,3]]}')}`), /drawn in it cannot be read/);
 });
@@ -249,4 +252,17 @@ test("an export names its files beside it, and says the commands", () => {
   assert.deepEqual(Object.keys(all), ["scenario.toml", "f_degr.csv"]);
   assert.match(all["scenario.toml"], /youngs_modulus = "youngs_modulus\.csv"\nf_degr = "f_degr\.csv"/);
   assert.match(all["scenario.toml"], /resume live --at '600 s' --set 'actomyosin\.force=1 nN' -o live-1/);
+});
+
+test("a table of results has a row for each cell of a run, and is read by other programs", () => {
+  const tracks = noTracks();
+  addTracks(tracks, [[0, 0, 0, 0, 0, null, 0], [3600, 3, 4, 0, 0, null, 0], [7200, 6, 8, 0, 0, null, 0]] as TrackRow[]);
+  const settings = { "ecm.youngs_modulus": '"0.05 kPa"', "run.seed": "7", "run.duration": "2 h", "fibres.arrangement": '"uniaxial"' };
+  const rows = resultsOf(tracks, 7200, settings, ['at 1 h: x = "2", y']);
+  assert.deepEqual(rows, [{ E_Pa: 50, seed: 7, cell: "", time_h: 2, distance_um: 10, speed_um_per_h: 5, other: 'fibres.arrangement = uniaxial; at 1 h: x = "2", y' }]);
+  assert.equal(csv(rows), 'E_Pa,seed,cell,time_h,distance_um,speed_um_per_h,other\n50,7,,2,10,5,"fibres.arrangement = uniaxial; at 1 h: x = ""2"", y"\n');
+  assert.deepEqual(resultsOf(tracks, 7200, {}).map(({ E_Pa, seed }) => [E_Pa, seed]), [[200, 1]]);
+  const pair = noTracks();
+  addTracks(pair, [1, 2].flatMap((cell) => [0, 7200].map((t) => [t, cell * t, 0, 0, 0, null, 0, cell])) as TrackRow[]);
+  assert.deepEqual(resultsOf(pair, 7200, {}).map(({ cell }) => cell), [1, 2]);
 });

@@ -19,8 +19,9 @@ test("distance and speed from the start, at the time that is shown", () => {
   assert.equal(travelledText(tracks, 7200), "3 \u00b5m from the start, 1.5 \u00b5m/h; path 11 \u00b5m");
 });
 
-test("no speed before a minute, and nothing without tracks", () => {
-  assert.deepEqual(travelled(walked([row(0, 0, 0), row(30, 1, 0)]), 30), { net: 1, path: 1 });
+test("no speed before ten minutes, and nothing without tracks", () => {
+  assert.deepEqual(travelled(walked([row(0, 0, 0), row(599, 1, 0)]), 599), { net: 1, path: 1 });
+  assert.deepEqual(travelled(walked([row(0, 0, 0), row(600, 1, 0)]), 600), { net: 1, path: 1, speed: 6 });
   assert.deepEqual(travelled(noTracks(), 100), { net: 0, path: 0 });
 });
 

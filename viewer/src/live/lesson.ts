@@ -19,7 +19,7 @@ export interface Lesson {
 
 export function lesson(): Lesson {
   const list = h("ol", {});
-  const note = "Let each run for six hours, and note distance and speed from the start, which stand in the picture. After a slider press Reset, and play.";
+  const note = "Let each run for six hours: distance and speed from the start come into the table of results, which can be saved. After a slider press Reset, and play.";
   return {
     element: h("details", { class: "lesson" }, h("summary", {}, "A lesson: five questions"), list, h("p", { class: "note" }, note)),
     presets(all) {

@@ -12,6 +12,7 @@ import { download, exported } from "./export";
 import { LiveFilm } from "./film";
 import { keep, kept, type Kept } from "./keep";
 import { lesson } from "./lesson";
+import { results, resultsOf } from "./results";
 import { buffersOf, type Answer, type Changed, type CoreMatrix, type FromWorker, type Head } from "./protocol";
 import { addTracks, noTracks, scene, viewOf, type Scene, type View } from "./scene";
 import { drawnFiles, fresh, fromHash, given, now, pascals, toHash, type Ground, type Scenario } from "./scenario";
@@ -70,6 +71,7 @@ export class Live {
     toml: (toml) => void this.begin({ toml, settings: {}, strokes: [], changes: [] }, true),
   });
   private readonly lesson = lesson();
+  private readonly results = results(download, () => this.result());
   private readonly bar: ReturnType<typeof bar>;
 
   constructor() {
@@ -92,7 +94,7 @@ export class Live {
       h(
         "section",
         { class: "run-player", "aria-label": "Live simulation" },
-        h("div", { class: "player" }, h("div", { class: "screen" }, this.holder, this.bar.element, this.brush.element, this.below), h("div", { class: "aside" }, this.lesson.element, this.controls.element, this.side)),
+        h("div", { class: "player" }, h("div", { class: "screen" }, this.holder, this.bar.element, this.brush.element, this.below), h("div", { class: "aside" }, this.lesson.element, this.controls.element, this.results.element, this.side)),
       ),
     ];
     document.addEventListener("visibilitychange", () => {
@@ -110,6 +112,14 @@ export class Live {
     if (!this.head) return;
     this.engine.tell({ kind: "play", to_s });
     this.clock.running(true);
+  }
+
+  /** What came of the run so far. */
+  private result() {
+    if (!this.head) return [];
+    const changes = this.scenario.changes.map(({ t, overrides }) => `at ${timeText(t)}: ${overrides.join(", ").replaceAll("=", " = ")}`);
+    const drawn = this.scenario.strokes.length > 0 ? ["with a drawn matrix"] : [];
+    return resultsOf(this.tracks, this.clock.end, settingsOf(this.head.changed), [...drawn, ...changes.filter((one) => !one.includes("run.duration"))]);
   }
 
   /** The scenario as it is now, to begin anew with. */
@@ -155,7 +165,10 @@ export class Live {
         return;
       case "stopped":
         this.clock.running(false);
-        if (message.why === "done") this.bar.tell(`${timeText(this.clock.end)} are done.`);
+        if (message.why === "done") {
+          this.bar.tell(`${timeText(this.clock.end)} are done.`);
+          this.results.add(this.result());
+        }
         if (message.why !== "failed") await this.keep(false);
         return;
       case "faults":

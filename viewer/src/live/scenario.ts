@@ -166,6 +166,9 @@ export function toHash({ toml, settings, strokes }: Scenario): string {
   return `#scenario=${btoa(binary).replace(/\+/g, "-").replace(/\//g, "_").replace(/=+$/, "")}`;
 }
 
+/** What is wrong with a scenario of an address, in words for a person. */
+class WrongScenario extends Error {}
+
 /** null without a scenario. @throws Error saying what is wrong with it */
 export function fromHash(hash: string): Scenario | null {
   const found = /^#scenario=(.*)$/.exec(hash);
@@ -174,16 +177,17 @@ export function fromHash(hash: string): Scenario | null {
     const binary = atob(found[1].replace(/-/g, "+").replace(/_/g, "/"));
     const text = new TextDecoder("utf-8", { fatal: true }).decode(Uint8Array.from(binary, (c) => c.charCodeAt(0)));
     const data = JSON.parse(text) as { v?: unknown; toml?: unknown; set?: unknown; draw?: unknown };
-    if (data.v !== 1) throw new Error(`its version is ${String(data.v)}, and this page knows version 1`);
+    if (data.v !== 1) throw new WrongScenario(`its version is ${String(data.v)}, and this page knows version 1`);
     const settings = Object.entries((data.set ?? {}) as object).map(([k, v]) => [k, String(v)]);
     const strokes = ((data.draw ?? []) as [StrokeKind, ...number[]][]).map(([kind, radius, ...points]): Stroke => {
       const numbers = [radius, ...points];
       if (!(kind in brushes) || points.length < 2 || points.length % 2 !== 0 || !numbers.every(Number.isFinite))
-        throw new Error("something drawn in it cannot be read");
+        throw new WrongScenario("something drawn in it cannot be read");
       return { kind, radius, points };
     });
     return { toml: typeof data.toml === "string" ? data.toml : "", settings: Object.fromEntries(settings) as Settings, strokes, changes: [] };
   } catch (reason) {
-    throw new Error(`The address holds a scenario that cannot be read: ${reason instanceof Error ? reason.message : String(reason)}.`);
+    const why = reason instanceof WrongScenario ? reason.message : "a part of it is missing or was changed; copy the whole link once more";
+    throw new Error(`The address holds a scenario that cannot be read: ${why}.`);
   }
 }

@@ -7,7 +7,7 @@ export interface Travelled {
   /** From the start in a straight line, and along the path [um]. */
   net: number;
   path: number;
-  /** The first, over the time since the start [um/h]; none in the first minute. */
+  /** The first, over the time since the start [um/h]; none in the first ten minutes, in which it says nothing. */
   speed?: number;
 }
 
@@ -18,7 +18,7 @@ export function travelled({ t_s, x_um, y_um }: Tracks, t: number): Travelled {
   for (let i = 1; i < t_s.length && t_s[i] <= t; last = i++) path += Math.hypot(x_um[i] - x_um[i - 1], y_um[i] - y_um[i - 1]);
   const net = t_s.length ? Math.hypot(x_um[last] - x_um[0], y_um[last] - y_um[0]) : 0;
   const since = t_s.length ? t_s[last] - t_s[0] : 0;
-  return since < 60 ? { net, path } : { net, path, speed: (3600 * net) / since };
+  return since < 600 ? { net, path } : { net, path, speed: (3600 * net) / since };
 }
 
 /** "15.4 µm from the start, 7.1 µm/h; path 31 µm"; of several cells the distances of the first ones. */
