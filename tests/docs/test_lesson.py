@@ -97,7 +97,7 @@ class Lesson(unittest.TestCase):
         self.assertIn(f"gave**: {results('A1 to A7')['speed from start to end, um/h'][2]} um/h", questions[4])
         claims = {row: " ".join(cells) for row, cells in rows_of(validation).items() if re.fullmatch(r"[A-F]\d", row)}
         shares = [float(re.search(rf"{which} uniaxial fibres that ended by rupture: ([\d.]+)", claims["E5"])[1]) for which in ("along", "across")]
-        self.assertIn("of the protrusions along them {:.0f} % tear off, of those across {:.0f} %".format(*(100 * share for share in shares)), questions[3])
+        self.assertIn("{:.0f} % of the protrusions along them tear off, and {:.0f} % of the protrusions across".format(*(100 * share for share in shares)), questions[3])
         maturation = [re.search(rf"maturation of protrusions {way} uniaxial fibres, mean: ([\d.]+)", claims["E5"])[1] for way in ("along", "across")]
         self.assertIn("maturation is {} along the fibres and {} across them".format(*maturation), questions[3])
         angles = re.search(r"to uniaxial fibres \(degrees\): ([\d.]+) \[.*?\), ([\d.]+) \[", claims["E4"]).groups()
