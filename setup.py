@@ -20,8 +20,8 @@ class WithCore(build_py):
     def run(self):
         super().run()
         package = Path(self.build_lib) / "matrigrate"
-        for table in ("scenario.schema.json", "readouts.json"):
-            shutil.copy2(_root / "docs" / table, package)
+        for table in ("docs/scenario.schema.json", "docs/readouts.json", "viewer/src/colours.json"):
+            shutil.copy2(_root / table, package)
         subprocess.run([sys.executable, "-B", _root / "tools" / "stubs.py", package / "_sections.pyi"], check=True)
         for page in _live:
             shutil.copy2(page, package / "live.html")

@@ -3,7 +3,7 @@
 install(DIRECTORY python/matrigrate DESTINATION lib/python3/dist-packages # Debian's place for every version of Python 3
         FILES_MATCHING PATTERN *.py PATTERN *.pyi PATTERN py.typed
         PATTERN __pycache__ EXCLUDE)
-install(FILES docs/scenario.schema.json docs/readouts.json DESTINATION lib/python3/dist-packages/matrigrate)
+install(FILES docs/scenario.schema.json docs/readouts.json viewer/src/colours.json DESTINATION lib/python3/dist-packages/matrigrate)
 find_program(MATRIGRATE_PYTHON python3) # writes the types of the package, for editors
 if(MATRIGRATE_PYTHON)
   install(CODE "execute_process(COMMAND ${MATRIGRATE_PYTHON} -B ${CMAKE_SOURCE_DIR}/tools/stubs.py

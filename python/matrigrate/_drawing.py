@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from . import _raster
+from . import _raster, _schema
 from .fields import Fields
 
 if TYPE_CHECKING:
@@ -18,25 +18,23 @@ Window = tuple[float, float, float, float]  # left, right, bottom, top [um]
 overlays = ("fibres", "cell", "nucleus", "protrusions", "adhesions", "path", "traction", "numbers", "scale bar", "legend",
             "colour bar")
 
-_single = ("#0072b2", "#45c4b8")
-_several = (("#0072b2", "#73b9e2"), ("#1b7837", "#7fc78d"), ("#7b3294", "#c2a5cf"), ("#8a4f14", "#dfc27d"),
-            ("#b2182b", "#f09c8c"), ("#01665e", "#5ab4ac"), ("#4d4d4d", "#b0b0b0"), ("#c51b7d", "#f1b6da"))
-_nucleus, _ground, _ink, _obstacle, _traction = "#27406b", "#f8f6f1", "#1f2328", "#3d4248", "#c1121f"
-_phases = (("growing", "#f0a500"), ("maturing", "#d55e00"), ("contracting", "#8b1a6b"), ("finishing", "#6e7781"))
-_gel = ("#f8f6f1", "#cbb994")
-_blue_white_orange = ("#104280", "#4282be", "#9ec5e4", "#f0f0f0", "#f7be7f", "#d9771e", "#8c3e00")
+_colours = _schema.table("colours.json")  # those of the pages
+_single, _several, _nucleus, _ink, _obstacle, _traction = (_colours[name] for name in ("cell", "cells", "nucleus", "ink", "obstacle", "traction"))
+_gel, _ground = _colours["gel"], _colours["gel"][0]
+_phases = tuple(zip(("growing", "maturing", "contracting", "finishing"), _colours["phases"], strict=True))
 _quantile = 0.999  # of the values of a layer within its limits
 
 
 def colours_of(number: int, cells: int) -> tuple[str, str]:
     """Of the rear and of the front of a cell. :param number: of the cell, from 1"""
-    return _single if cells < 2 else _several[(number - 1) % len(_several)]
+    rear, front = _single if cells < 2 else _several[(number - 1) % len(_several)]
+    return rear, front
 
 
 def colour_map(field: str) -> Any:
     from matplotlib.colors import LinearSegmentedColormap
 
-    colours = {"pressure": _blue_white_orange, "f_degr": _gel}.get(field)
+    colours = {"pressure": _colours["blue_white_orange"], "f_degr": _gel}.get(field)
     return "viridis" if colours is None else LinearSegmentedColormap.from_list(field, colours)
 
 

@@ -139,9 +139,9 @@ def _document() -> dict[str, Any]:
 
 
 def table(name: str) -> Any:
-    """A table that the program wrote: of an installed package, or of the source tree."""
+    """A table that the program wrote, or that the pages have as well: of an installed package, or of the source tree."""
     folder = Path(__file__).parent
-    places = (folder / name, folder.parents[1] / "docs" / name)
+    places = (folder / name, folder.parents[1] / "docs" / name, folder.parents[1] / "viewer" / "src" / name)
     return json.loads(next(place for place in places if place.exists()).read_text(encoding="utf-8"))
 
 

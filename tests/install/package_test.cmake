@@ -28,7 +28,7 @@ foreach(word "Package: matrigrate" libhdf5 libtbb libfmt libc6 python3-pandas no
 endforeach()
 run(text ${DPKG_DEB} -x ${package} ${FOLDER}/unpacked)
 foreach(file bin/matrigrate include/matrigrate/simulation/advance.hpp lib/python3/dist-packages/matrigrate/__init__.py
-             lib/python3/dist-packages/matrigrate/scenario.schema.json lib/python3/dist-packages/matrigrate/readouts.json
+             lib/python3/dist-packages/matrigrate/scenario.schema.json lib/python3/dist-packages/matrigrate/readouts.json lib/python3/dist-packages/matrigrate/colours.json
              lib/python3/dist-packages/matrigrate/_sections.pyi share/man/man1/matrigrate.1
              share/bash-completion/completions/matrigrate share/matrigrate/studies/stiffness.toml
              share/matrigrate/R/matrigrate.R share/matrigrate/R/DESCRIPTION share/matrigrate/R/R/read.R share/matrigrate/R/man/read_tracks.Rd

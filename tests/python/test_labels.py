@@ -1,5 +1,6 @@
 """What a person reads in figures and on pages of fits is in words: no code name, no "um", no unit in brackets, no two parameters of one name."""
 import html
+import json
 import os
 import pathlib
 import re
@@ -47,7 +48,14 @@ class Words(unittest.TestCase):
 
     def test_pages_python_and_r_have_one_table_of_colours(self):
         page = (common.source / "viewer" / "src" / "colour.ts").read_text()
-        self.assertEqual(re.findall("#[0-9a-f]{6}", page[page.index("export const palette = "):].splitlines()[0]), list(_words.colours))
+        for name in ("palette", "phases", "cell", "cells", "nucleus", "gel", "blue_white_orange"):
+            self.assertRegex(page, rf"\bcolours\.{name}\b", "the page takes its colours from the file of which Python takes them")
+        known = json.dumps(_schema.table("colours.json"))
+        for module in ("_drawing", "plot", "_words"):  # greys of lines apart
+            own = set(re.findall("#[0-9a-f]{6}", (common.source / "python" / "matrigrate" / f"{module}.py").read_text()))
+            self.assertLessEqual(own, {"#999999", "#666666", "#8a8f98"}, module)
+        self.assertEqual(matrigrate._drawing.colours_of(2, 3), ("#1b7837", "#7fc78d"))
+        self.assertIn('["#1b7837", "#7fc78d"]', known)
         r = (common.source / "R" / "R" / "plot.R").read_text()
         self.assertEqual(re.findall("#[0-9a-f]{6}", r[r.index("known <- c("):].splitlines()[0]), list(_words.colours))
         least = [re.search(pattern, text) for pattern, text in (

@@ -25,12 +25,11 @@ class Package(common.InTemporaryFolder):
         """The wheel that pip makes. @param inside  variables of the environment that name what goes into it"""
         clone = self.folder / "clone"  # pip writes into the folder that it installs from
         shutil.copytree(common.source / "python", clone / "python", ignore=shutil.ignore_patterns("*.egg-info", "__pycache__"))
-        (clone / "docs").mkdir()
         (clone / "pages").mkdir()
         (clone / "pages/live.html").write_text("<p>a cell")
-        (clone / "tools").mkdir()
         for file in ("pyproject.toml", "setup.py", "LICENSE", "NOTICES", "tools/stubs.py", "docs/python.md", "docs/scenario.schema.json",
-                     "docs/readouts.json"):
+                     "docs/readouts.json", "viewer/src/colours.json"):
+            (clone / file).parent.mkdir(parents=True, exist_ok=True)
             shutil.copy(common.source / file, clone / file)
         subprocess.run([sys.executable, "-m", "pip", "wheel", "--quiet", "--no-index", "--no-deps", "--no-build-isolation",
                         "--wheel-dir", self.folder, clone], check=True, env=os.environ | inside)
@@ -45,7 +44,7 @@ class Package(common.InTemporaryFolder):
         for file in (common.source / "python" / "matrigrate").iterdir():
             if file.name != "__pycache__":
                 self.assertIn(f"matrigrate/{file.name}", names)
-        self.assertTrue({"matrigrate/scenario.schema.json", "matrigrate/readouts.json", "matrigrate/_sections.pyi"} <= names)
+        self.assertTrue({"matrigrate/scenario.schema.json", "matrigrate/readouts.json", "matrigrate/colours.json", "matrigrate/_sections.pyi"} <= names)
         script = ("import json, matrigrate as m; print(json.dumps([m.__file__, m.__version__, "
                   "m.Scenario().ecm.youngs_modulus, m.load(%r).status, m.live(show=False).read_text()]))" % str(common.runs / "run"))
         done = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, cwd=self.folder,

@@ -363,7 +363,8 @@ class TestModule(common.InTemporaryFolder):
 
     def test_is_found_where_a_clone_builds_it(self):
         shutil.copytree(common.source / "python" / "matrigrate", "python/matrigrate", ignore=shutil.ignore_patterns("_core*.so", "__pycache__"))
-        os.symlink(common.source / "docs", "docs")  # with the tables of the program
+        for tables in ("docs", "viewer"):
+            os.symlink(common.source / tables, tables)
         self.assertIn("./demo builds the module", self.found())
         built = pathlib.Path("build/release/python")
         built.mkdir(parents=True)

@@ -1,4 +1,5 @@
 /** Arrows: how the matrix is displaced or moves, what adhesions pull with, where the cell is polarized to; with their keys. */
+import colours from "../../colours.json";
 import type { Tracks } from "../../contract";
 import { roundStep } from "../../numbers";
 import { valueAt } from "../../unpack";
@@ -83,7 +84,7 @@ export function paintArrows(c: Pen, { film, place, camera, spacing, darkGround }
   edged(c, line, edge, 1.3, [], 0.8);
 }
 
-export const tractionColour = (dark: boolean): string => (dark ? "#ffd84d" : "#b3003c");
+export const tractionColour = (dark: boolean): string => (dark ? "#ffd84d" : colours.traction);
 /** Pixels that the largest force of a run is long. */
 const longest = 60;
 export const pixelsPerForce = (from: Usual): number => (from.force > 0 ? longest / from.force : 0);

@@ -1,9 +1,10 @@
 /** Rigid obstacles: squares where their particles lie, over any layer, since they have no values of their own. */
+import colours from "../../colours.json";
 import type { Camera } from "../camera";
 import type { Film } from "../frames";
 import type { Pen } from "./pen";
 
-export const obstacleColour = "#3d4248";
+export const obstacleColour = colours.obstacle;
 export const obstacleColourOnDark = "#9aa3ad";
 
 export function paintObstacles(c: Pen, film: Film, camera: Camera, spacing: number, dark: boolean): void {
