@@ -62,7 +62,7 @@ std::string_view advice_on_memory_of(std::string_view verb) {
   for (const std::string_view simulating :
        {"run", "resume", "sample", "study", "explain", "check", "demo", "reproduce"})
     if (verb == simulating) return "; matrigrate explain prints what a scenario needs";
-  if (verb == "export") return "; export one kind at a time, --ome-tiff with a larger --pixel";
+  if (verb == "export") return "; export one kind at a time";
   return {};
 }
 

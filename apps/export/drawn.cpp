@@ -1,27 +1,22 @@
 #include "apps/export/drawn.hpp"
 
+#include "apps/export/scratch.hpp"
 #include "apps/shipped_pages.hpp"
 #include "apps/verbs.hpp"
 #include "base/failure.hpp"
 #include "base/file.hpp"
-#include "base/process.hpp"
-#include "run/folder_lock.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include <fcntl.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <cmath>
 #include <cstdlib>
-#include <fstream>
 #include <sstream>
 #include <string_view>
-#include <thread>
 #include <utility>
 
 namespace matrigrate::apps {
@@ -99,49 +94,11 @@ json job(const DrawnOptions& options, std::string_view layer, std::string_view k
           {kind, std::move(what)}};
 }
 
-/// A folder that is gone with all that is in it at the end of this object. What an export has left in it whose process
-/// was killed goes before.
-struct Scratch {
-  std::filesystem::path path;
-  run::FolderLock lock;
-
-  explicit Scratch(const std::filesystem::path& in) : path(made(in)), lock(path, run::FolderLock::Kind::alone) {
-    for (const auto& left : std::filesystem::directory_iterator(path))
-      if (left.path().filename() != ".lock") std::filesystem::remove_all(left.path());
-    std::filesystem::create_directory(path / "made");
-  }
-  Scratch(const Scratch&) = delete;
-  Scratch& operator=(const Scratch&) = delete;
-  ~Scratch() {
-    std::error_code ignored;
-    std::filesystem::remove_all(path, ignored);
-  }
-
-private:
-  static std::filesystem::path made(const std::filesystem::path& in) {
-    std::filesystem::path folder = std::filesystem::absolute(in / ".drawing");
-    if (std::filesystem::is_symlink(folder)) // what it leads to is not ours to remove
-      throw InputOutputError(fmt::format("{}: is a symbolic link; remove it", folder.string()));
-    make_output_folder(folder, true);
-    return folder;
-  }
-};
-
 /// Has viewer/drive.mjs do a job.
 /// @throws InputOutputError with the last line that it says, if it fails
 void drive(const Scratch& scratch, const json& job) {
   write_file(scratch.path / "job.json", job.dump());
-  const std::filesystem::path log = scratch.path / "said.txt";
-  const int output = ::open(log.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, S_IRUSR | S_IWUSR);
-  Child child({"node", scratch.path / "drive.mjs", scratch.path / "job.json"}, output >= 0 ? output : STDERR_FILENO);
-  if (output >= 0) ::close(output);
-  while (!child.ended()) std::this_thread::sleep_for(std::chrono::milliseconds(5));
-  if (child.ended() == 0) return;
-  std::ifstream said(log);
-  std::string last = fmt::format("node ended with exit code {}", *child.ended());
-  for (std::string line; std::getline(said, line);)
-    if (!line.empty()) last = line;
-  throw InputOutputError(last);
+  call({"node", scratch.path / "drive.mjs", scratch.path / "job.json"}, scratch);
 }
 
 } // namespace
@@ -194,8 +151,7 @@ void export_drawn(const run::FinishedRun& run, const DrawnKinds& kinds, const Dr
     one.update({{"browser", installed_browser()}, {"folder", scratch.path}});
     drive(scratch, one);
   }
-  for (const auto& file : std::filesystem::directory_iterator(scratch.path / "made"))
-    rename_file(file.path(), folder / file.path().filename());
+  move_made(scratch, folder);
 }
 
 } // namespace matrigrate::apps

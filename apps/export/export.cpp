@@ -1,3 +1,4 @@
+#include "apps/export/by_python.hpp"
 #include "apps/export/drawn.hpp"
 #include "apps/export/panel.hpp"
 #include "apps/export/tracks.hpp"
@@ -6,8 +7,6 @@
 #include "apps/verbs.hpp"
 #include "base/failure.hpp"
 #include "base/file.hpp"
-#include "exchange/ome_tiff.hpp"
-#include "exchange/simularium.hpp"
 #include "observe/even_times.hpp"
 #include "parameters/units.hpp"
 #include "run/finished_run.hpp"
@@ -27,6 +26,7 @@
 #include <iterator>
 #include <map>
 #include <memory>
+#include <optional>
 #include <stdexcept>
 #include <utility>
 #include <vector>
@@ -78,7 +78,7 @@ void require_frames(const FinishedRun& run, const std::string& folder) {
 /// Simularium's viewer supposes frames of one interval.
 void require_even_frames(const FinishedRun& run, const std::string& folder) {
   const observe::EvenTimes times = observe::even_times(observe::times_of(run.film));
-  if (!exchange::fits_simularium(run.film))
+  if (!times.is_even() && !times.but_the_last())
     throw InputOutputError(fmt::format("{}: its frames are {}, and Simularium's viewer supposes one interval; {}",
                                        folder, times.text(), even_if("output.field_interval", run.p)));
   if (!times.is_even())
@@ -106,10 +106,12 @@ void export_fields(const FinishedRun& run, const std::filesystem::path& to) {
   store::write_field_files(to, run.film, field_origin(run.p, finished ? hash->get<std::string>() : std::string()));
 }
 
-/// The width of a pixel that --pixel names [um].
+constexpr double most_pixels = 8192; ///< along an edge of a stack
+
+/// The width of a pixel that --pixel names [um]; none without one.
 /// @throws UsageError if it is none, or makes too large pictures
-double pixel_of(const std::string& text, const observe::FrameHead& head) {
-  if (text.empty()) return head.spacing;
+std::optional<double> pixel_of(const std::string& text, const observe::FrameHead& head) {
+  if (text.empty()) return {};
   double pixel = 0.0;
   try {
     const units::Quantity quantity = units::parse_quantity(text);
@@ -119,10 +121,10 @@ double pixel_of(const std::string& text, const observe::FrameHead& head) {
   } catch (const std::invalid_argument& fault) {
     throw UsageError(fmt::format("--pixel: \"{}\": {}; an example: --pixel \"0.5 um\"", text, fault.what()));
   }
-  const double least = 2.0 * head.radius / static_cast<double>(exchange::most_pixels);
+  const double least = 2.0 * head.radius / most_pixels;
   if (!(pixel >= least && pixel <= head.radius))
     throw UsageError(fmt::format("--pixel: {}: allowed are {:.3g} to {:g} um, for {} to 2 pixels along an edge", text,
-                                 least, head.radius, exchange::most_pixels));
+                                 least, head.radius, most_pixels));
   return pixel;
 }
 
@@ -194,17 +196,17 @@ int export_run(ExportArguments options) {
   if (drawn.any()) require_drawing_tools(drawn);
   std::vector<exchange::RunTracks> tracks{single_run(run)};
   if (wanted["--openvt"]) tracks = at_times(std::move(tracks), times);
-  const double pixel = wanted["--ome-tiff"] ? pixel_of(options.pixel, run.film.head) : 0.0;
+  const PythonKinds by_python{.ome_tiff = wanted["--ome-tiff"],
+                              .simularium = wanted["--simularium"],
+                              .pixel = pixel_of(options.pixel, run.film.head)};
+  const std::string python = python_for(by_python);
   const std::string title = run_title(run.p, scenario_name(run.record, run.folder));
   const std::filesystem::path to = output_of(options);
   prepare(to, kinds, options.force);
   if (wanted["--fields"]) export_fields(run, to);
   if (wanted["--tracks"]) write_tracks(run, to);
   if (wanted["--openvt"]) write_openvt(tracks, openvt_model(run), to);
-  if (wanted["--simularium"])
-    write_file(to / "run.simularium", exchange::simularium(run.film, run.memory.rows, title, version_text()));
-  if (wanted["--ome-tiff"])
-    write_file(to / "fields.ome.tif", exchange::ome_tiff(run.film, pixel, title, version_text()));
+  export_by_python(run, by_python, python, title, to);
   export_drawn(run, drawn, options.drawn, to);
   print(fmt::format("exported to {}\n", to.string()));
   return done;
@@ -222,6 +224,7 @@ void add_export(CLI::App& app, Action& chosen) {
       "Of a study, --tracks writes the tracks of all finished runs: tracks.csv as in the runs, tracks_spots.csv\n"
       "for CellTracksColab, TrackMate and celltrackR, and tracks_tracks.csv, a row per track, for CellTracksColab\n"
       "(docs/how-to/exchange.md).\n"
+      "--simularium and --ome-tiff call Python with the package matrigrate, --ome-tiff with tifffile as well.\n"
       "--png, --panel and --movie call node and chromium, in which the player draws, and --movie calls ffmpeg. They\n"
       "have to be installed. Layers are degradation (f_degr: 0 fluid, 1 intact matrix), displacement, von_mises,\n"
       "pressure and fibre_von_mises, and those that the scenario gives the matrix, such as youngs_modulus.");

@@ -16,7 +16,7 @@
 
 Units are um, s, nN, stress in Pa; they stand in the names of columns. The tutorial is docs/python.md.
 """
-from . import calibrate, plot, tracks, truth
+from . import calibrate, exchange, plot, tracks, truth
 from ._cells import CellOfRun, CellsOfRun
 from ._live import live
 from ._schema import Parameter
@@ -34,6 +34,6 @@ __all__ = [
     "Cell", "CellOfRun", "CellsOfRun", "ConfigurationError", "CoreNotFound", "Fault", "Field", "Fields",
     "InputOutputError", "InternalError", "KeyboardStop", "MatrigrateError", "Matrix", "NumericalError", "Parameter",
     "ProgramNotFound", "Readouts", "ReadoutsOfCells", "Run", "Runs", "Scenario", "Section", "Simulation", "Stopped",
-    "Study", "UnknownParameter", "UsageError", "__version__", "calibrate", "live", "load", "load_study", "meaning",
+    "Study", "UnknownParameter", "UsageError", "__version__", "calibrate", "exchange", "live", "load", "load_study", "meaning",
     "plot", "run", "run_study", "tracks", "truth",
 ]

@@ -2,6 +2,8 @@
 
 #include "tables/csv.hpp"
 
+#include <cstdlib>
+
 namespace matrigrate {
 namespace {
 
@@ -97,15 +99,19 @@ TEST_F(Exchange, OfUnevenRowsSaysWhatItLeavesOut) {
   EXPECT_EQ(store::read_csv(text_of(folder / "odd/export/tracks_celltrackr.csv")).rows.size(), 4U);
 }
 
-TEST_F(Exchange, WithoutMemorySaysWhatMayHelp) {
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-  GTEST_SKIP() << "a sanitizer reserves more memory than is allowed here";
-#endif
+TEST_F(Exchange, OfPythonIsRefusedInWordsWhereThatIsMissing) {
   ASSERT_EQ(run("run s.toml -o r").code, 0);
-  const Ended ended =
-      run("-c 'ulimit -v 900000; exec \"" MATRIGRATE_PROGRAM "\" export r --ome-tiff --pixel 0.01'", "bash");
-  EXPECT_EQ(ended.code, 4);
-  EXPECT_EQ(ended.err, "matrigrate: not enough memory; export one kind at a time, --ome-tiff with a larger --pixel\n");
+  ASSERT_EQ(::setenv("PYTHON", "/bin/false", 1), 0);
+  const Ended stack = run("export r --ome-tiff --tracks");
+  const Ended viewer = run("export r --simularium");
+  ::unsetenv("PYTHON");
+  EXPECT_EQ(stack.code, 5);
+  EXPECT_TRUE(contains(stack.err, "--ome-tiff is made by Python, which needs the package matrigrate")) << stack.err;
+  EXPECT_TRUE(contains(stack.err, "python3-tifffile")) << stack.err;
+  EXPECT_EQ(viewer.code, 5);
+  EXPECT_TRUE(contains(viewer.err, "--simularium is made by Python")) << viewer.err;
+  EXPECT_FALSE(contains(viewer.err, "tifffile")) << viewer.err;
+  EXPECT_FALSE(exists("r/export")) << "nothing is written";
 }
 
 TEST_F(Exchange, GivesEachRunOfAStudyItsNumber) {

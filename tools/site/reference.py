@@ -22,7 +22,7 @@ _groups = [
 def python_pages(root: pathlib.Path) -> dict[str, str]:
     sys.path.insert(0, str(root / "python"))
     package = importlib.import_module("matrigrate")
-    named = {name for _, names in _groups for name in names} | {"__version__", "plot", "tracks", "truth", "calibrate"}
+    named = {name for _, names in _groups for name in names} | {"__version__", "plot", "tracks", "truth", "calibrate", "exchange"}
     if named != set(package.__all__):
         raise SystemExit(f"tools/site/reference.py: groups and matrigrate.__all__ differ: {named ^ set(package.__all__)}")
     text = ["# The Python package\n", "A [tutorial](../python.md) shows how the parts work together. Names that begin with an "
@@ -34,7 +34,7 @@ def python_pages(root: pathlib.Path) -> dict[str, str]:
     for name, function in vars(package.plot).items():
         if inspect.isfunction(function) and not name.startswith("_") and function.__module__ == package.plot.__name__:
             text.append(_python_entry(f"matrigrate.plot.{name}", name, function))
-    for title, module in (("Tracks", package.tracks), ("Ground truth", package.truth), ("Calibration", package.calibrate)):
+    for title, module in (("Tracks", package.tracks), ("Ground truth", package.truth), ("Calibration", package.calibrate), ("Formats of other programs", package.exchange)):
         text.append(f"## {title}\n\n" + _markdown(inspect.getdoc(module) or "") + "\n")
         for name in module.__all__:
             text.append(_python_entry(f"{module.__name__}.{name}", name, getattr(module, name)))

@@ -1,0 +1,86 @@
+#include "apps/export/by_python.hpp"
+
+#include "apps/export/scratch.hpp"
+#include "base/failure.hpp"
+#include "base/file.hpp"
+#include "base/platform.hpp"
+#include "base/process.hpp"
+#include "run/provenance.hpp"
+#include "run/run_record.hpp"
+#include "store/field_file.hpp"
+
+#include <fmt/format.h>
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <array>
+#include <chrono>
+#include <cstdlib>
+#include <thread>
+#include <vector>
+
+namespace matrigrate::apps {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Where the package lies beside this program: in a clone, in the package itself, in an installed tree; empty if it
+/// does not.
+std::string package_place() {
+  std::error_code error;
+  const fs::path folder = fs::canonical(this_program(), error).parent_path();
+  for (const char* way : {"../../../python", "../..", "../lib/python3/dist-packages", "../../lib/python3/dist-packages"})
+    if (fs::exists(folder / way / "matrigrate" / "exchange.py", error)) return (folder / way).lexically_normal().string();
+  return {};
+}
+
+/// Whether a program runs and ends well.
+bool works(const std::vector<std::string>& command) {
+  const int nothing = ::open("/dev/null", O_WRONLY | O_CLOEXEC);
+  Child child(command, nothing);
+  ::close(nothing);
+  while (!child.ended()) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  return child.ended() == 0;
+}
+
+} // namespace
+
+std::string python_for(const PythonKinds& kinds) {
+  if (!kinds.any()) return {};
+  if (const std::string place = package_place(); !place.empty()) {
+    const char* given = std::getenv("PYTHONPATH");
+    const std::string known = given != nullptr && *given != '\0' ? std::string(":") + given : std::string();
+    ::setenv("PYTHONPATH", (place + known).c_str(), 1);
+  }
+  const char* named = std::getenv("PYTHON");
+  const std::vector<std::string> candidates = named != nullptr && *named != '\0'
+                                                  ? std::vector<std::string>{named}
+                                                  : std::vector<std::string>{"python3", "/usr/bin/python3"};
+  const std::string needed = fmt::format("import matrigrate.exchange, h5py{}", kinds.ome_tiff ? ", tifffile" : "");
+  for (const std::string& python : candidates)
+    if (works({python, "-c", needed})) return python;
+  throw InputOutputError(
+      fmt::format("{0} by Python, which needs the package matrigrate and its libraries; Debian: apt-get install "
+                  "python3-pandas python3-h5py python3-xxhash{1}; PYTHON names another Python",
+                  kinds.ome_tiff ? "--ome-tiff is made" : "--simularium is made",
+                  kinds.ome_tiff ? " python3-tifffile" : ""));
+}
+
+void export_by_python(const run::FinishedRun& run, const PythonKinds& kinds, const std::string& python,
+                      const std::string& title, const std::filesystem::path& folder) {
+  if (!kinds.any()) return;
+  const Scratch scratch(folder);
+  store::write_field_files(scratch.path, run.film, run::field_origin(run.p, {}));
+  constexpr const char* script = "import sys; from matrigrate import exchange; sys.exit(exchange.main(sys.argv[1:]))";
+  std::vector<std::string> command{python, "-B", "-c", script, run.folder.string(), "--fields",
+                                   scratch.path / "fields.h5", "--title", title, "--program", run::version_text()};
+  if (kinds.pixel) command.insert(command.end(), {"--pixel", fmt::format("{}", *kinds.pixel)});
+  if (kinds.ome_tiff) command.insert(command.end(), {"--ome-tiff", scratch.path / "made" / "fields.ome.tif"});
+  if (kinds.simularium) command.insert(command.end(), {"--simularium", scratch.path / "made" / "run.simularium"});
+  call(command, scratch);
+  move_made(scratch, folder);
+}
+
+} // namespace matrigrate::apps
