@@ -49,7 +49,7 @@ for (const card of [true, false]) {
       seen.add(await still(page));
     }
     assert.equal(seen.size, 5);
-    assert.ok(await page.locator(".panel").getByText("Fibre von Mises (Pa)").isVisible());
+    assert.ok(await page.locator(".panel").getByText("Fibre von Mises stress (Pa)").isVisible());
     // What lies over the matrix is drawn the same way with either.
     for (const overlay of card ? [] : ["traction", "cell", "protrusions", "adhesions", "path", "polarization", "arrows"]) {
       await page.locator(`input[name=${overlay}]`).click();

@@ -95,13 +95,13 @@ export function layers(film: Film): Layer[] {
       cut: { low: true, high: true },
       solidOnly: false,
     },
-    stress("von_mises", "Von Mises", "Von Mises stress of the solid matrix: how hard it is sheared.", film.vonMises),
+    stress("von_mises", "Von Mises stress", "Von Mises stress of the solid matrix: how hard it is sheared.", film.vonMises),
   ];
   if (film.fibreVonMises)
     out.push(
       stress(
         "fibre_von_mises",
-        "Fibre von Mises",
+        "Fibre von Mises stress",
         "The part of the von Mises stress that the fibres carry (Eq. 11).",
         film.fibreVonMises,
       ),
