@@ -14,7 +14,6 @@
 #include <fcntl.h>
 #include <unistd.h>
 
-#include <array>
 #include <chrono>
 #include <cstdlib>
 #include <thread>
@@ -31,8 +30,10 @@ namespace fs = std::filesystem;
 std::string package_place() {
   std::error_code error;
   const fs::path folder = fs::canonical(this_program(), error).parent_path();
-  for (const char* way : {"../../../python", "../..", "../lib/python3/dist-packages", "../../lib/python3/dist-packages"})
-    if (fs::exists(folder / way / "matrigrate" / "exchange.py", error)) return (folder / way).lexically_normal().string();
+  for (const char* way :
+       {"../../../python", "../..", "../lib/python3/dist-packages", "../../lib/python3/dist-packages"})
+    if (fs::exists(folder / way / "matrigrate" / "exchange.py", error))
+      return (folder / way).lexically_normal().string();
   return {};
 }
 
@@ -60,12 +61,11 @@ std::string python_for(const PythonKinds& kinds) {
                                                   : std::vector<std::string>{"python3", "/usr/bin/python3"};
   const std::string needed = fmt::format("import matrigrate.exchange, h5py{}", kinds.ome_tiff ? ", tifffile" : "");
   for (const std::string& python : candidates)
-    if (works({python, "-c", needed})) return python;
-  throw InputOutputError(
-      fmt::format("{0} by Python, which needs the package matrigrate and its libraries; Debian: apt-get install "
-                  "python3-pandas python3-h5py python3-xxhash{1}; PYTHON names another Python",
-                  kinds.ome_tiff ? "--ome-tiff is made" : "--simularium is made",
-                  kinds.ome_tiff ? " python3-tifffile" : ""));
+    if (works({python, "-P", "-B", "-c", needed})) return python;
+  throw InputOutputError(fmt::format(
+      "{0} by Python, which needs the package matrigrate and its libraries; Debian: apt-get install "
+      "python3-pandas python3-h5py python3-xxhash{1}; PYTHON names another Python",
+      kinds.ome_tiff ? "--ome-tiff is made" : "--simularium is made", kinds.ome_tiff ? " python3-tifffile" : ""));
 }
 
 void export_by_python(const run::FinishedRun& run, const PythonKinds& kinds, const std::string& python,
@@ -74,11 +74,15 @@ void export_by_python(const run::FinishedRun& run, const PythonKinds& kinds, con
   const Scratch scratch(folder);
   store::write_field_files(scratch.path, run.film, run::field_origin(run.p, {}));
   constexpr const char* script = "import sys; from matrigrate import exchange; sys.exit(exchange.main(sys.argv[1:]))";
-  std::vector<std::string> command{python, "-B", "-c", script, run.folder.string(), "--fields",
-                                   scratch.path / "fields.h5", "--title", title, "--program", run::version_text()};
-  if (kinds.pixel) command.insert(command.end(), {"--pixel", fmt::format("{}", *kinds.pixel)});
-  if (kinds.ome_tiff) command.insert(command.end(), {"--ome-tiff", scratch.path / "made" / "fields.ome.tif"});
-  if (kinds.simularium) command.insert(command.end(), {"--simularium", scratch.path / "made" / "run.simularium"});
+  const std::string made = (scratch.path / "made").string();
+  std::vector<std::string> command{python, "-P", "-B", "-c", script}; // -P: nothing from the working directory
+  command.push_back(fmt::format("--fields={}", (scratch.path / "fields.h5").string()));
+  command.push_back(fmt::format("--title={}", title));
+  command.push_back(fmt::format("--program={}", run::version_text()));
+  if (kinds.pixel) command.push_back(fmt::format("--pixel={}", *kinds.pixel));
+  if (kinds.ome_tiff) command.push_back(fmt::format("--ome-tiff={}/fields.ome.tif", made));
+  if (kinds.simularium) command.push_back(fmt::format("--simularium={}/run.simularium", made));
+  command.insert(command.end(), {"--", run.folder.string()});
   call(command, scratch);
   move_made(scratch, folder);
 }

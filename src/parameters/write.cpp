@@ -231,9 +231,8 @@ std::string json_schema() {
       {"description", "In files that the program writes: its version. A parameter that such a file lacks has the value "
                       "that stands for what was done before there was such a parameter."}};
   for (const Gone& parameter : gone())
-    file["x-gone"][std::string(parameter.path)] = {{"left", Json::parse(parameter.left)},
-                                                   {"any", parameter.is_drawing},
-                                                   {"fate", gone_text("{}", parameter)}};
+    file["x-gone"][std::string(parameter.path)] = {
+        {"left", Json::parse(parameter.left)}, {"any", parameter.is_drawing}, {"fate", gone_text("{}", parameter)}};
   return file.dump(2) + "\n";
 }
 

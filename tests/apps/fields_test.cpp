@@ -49,8 +49,8 @@ TEST_F(Fields, AreWrittenAndPlayed) {
 }
 
 TEST_F(Fields, CanBeSwitchedOff) {
-  ASSERT_EQ(run("run s.toml --hours 0.002 -o lean --quiet --set output.field_interval=0 --set output.report=false").code,
-            0);
+  ASSERT_EQ(
+      run("run s.toml --hours 0.002 -o lean --quiet --set output.field_interval=0 --set output.report=false").code, 0);
   for (const char* name : {"fields.h5", "fields.xdmf", "fields.part", "report.html"})
     EXPECT_FALSE(exists(std::string("lean/") + name)) << name;
   EXPECT_TRUE(exists("lean/tracks.csv"));
@@ -64,7 +64,8 @@ TEST_F(Fields, CanBeSwitchedOff) {
 TEST_F(Fields, AreExported) {
   ASSERT_EQ(run("run s.toml --hours 0.01 -o here --quiet").code, 0);
   ASSERT_EQ(run("export here --fields --tracks -o out").code, 0);
-  for (const char* name : {"fields.h5", "fields.xdmf", "tracks_celltrackr.csv", "tracks_trackmate.csv", "tracks_trackmate.xml"})
+  for (const char* name :
+       {"fields.h5", "fields.xdmf", "tracks_celltrackr.csv", "tracks_trackmate.csv", "tracks_trackmate.xml"})
     EXPECT_TRUE(exists(std::string("out/") + name)) << name;
   const std::string path = text_of(folder / "out/tracks_celltrackr.csv");
   EXPECT_EQ(std::count(path.begin(), path.end(), '\n'), 1 + 6);

@@ -51,8 +51,8 @@ TEST_F(SuddenEnd, EndsWithACodeOfTheTableAndIsResumedToTheSameBits) {
     EXPECT_EQ(std::ranges::count(said, '\n'), 1) << said;
     const Ended again = run("resume " + signal + " --quiet");
     EXPECT_EQ(again.code, 0) << again.err;
-    for (const char* file : {"tracks.csv", "health.csv", "protrusions.csv", "msd.csv", "summary.json", "fields.h5",
-                             "fields.xdmf"})
+    for (const char* file :
+         {"tracks.csv", "health.csv", "protrusions.csv", "msd.csv", "summary.json", "fields.h5", "fields.xdmf"})
       EXPECT_EQ(text_of(folder / signal / file), text_of(folder / "whole" / file)) << signal << " " << file;
     const auto hash = [&](const std::string& name) {
       return nlohmann::json::parse(text_of(folder / name / "run.json")).at("trajectory_hash");

@@ -20,10 +20,10 @@ struct Picture {
 /// Particles in the plane coloured by a scalar, with a colour bar and a scale bar.
 struct ParticlePicture {
   std::string title;
-  std::string value_label;         ///< with unit: "displacement (µm)"
-  std::vector<Vec2> position = {}; ///< [um]; a particle whose position is not finite is left out
-  std::vector<double> value = {};  ///< one a particle; grey where not finite
-  double particle_size = 2.0;      ///< side of the square that a particle takes [um]
+  std::string value_label;                 ///< with unit: "displacement (µm)"
+  std::vector<Vec2> position = {};         ///< [um]; a particle whose position is not finite is left out
+  std::vector<double> value = {};          ///< one a particle; grey where not finite
+  double particle_size = 2.0;              ///< side of the square that a particle takes [um]
   double value_min = 0.0, value_max = 0.0; ///< range of the colour bar; taken from the values if both are 0; values
                                            ///< beyond it get the colour of its end
   std::vector<std::vector<Vec2>> outlines = {}; ///< closed curves on top of the particles [um]

@@ -20,7 +20,7 @@ std::span<const OutputKind> output_kinds() {
       {"", R"(protrusions\.csv)", protrusions},
       {"", R"((tracks|health|group)\.csv)", rows},
       {"snapshots", R"(t_[0-9.]+s(_displacement|_fibre_stress)?\.svg)"}, // of earlier versions
-      {"", R"((snapshots|failure)\.svg)"},                                // as well
+      {"", R"((snapshots|failure)\.svg)"},                               // as well
       {"", R"(fields\.(h5|xdmf|part))", fields},
       {"", R"((msd|summary)\.csv|summary\.json)", results},
       {"", R"(report\.html)", report_page},
