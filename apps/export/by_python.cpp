@@ -29,7 +29,7 @@ namespace fs = std::filesystem;
 /// does not.
 std::string package_place() {
   std::error_code error;
-  const fs::path folder = fs::canonical(this_program(), error).parent_path();
+  const fs::path folder = fs::canonical(platform::this_program(), error).parent_path();
   for (const char* way :
        {"../../../python", "../..", "../lib/python3/dist-packages", "../../lib/python3/dist-packages"})
     if (fs::exists(folder / way / "matrigrate" / "exchange.py", error))
