@@ -273,3 +273,34 @@ test("frames that are broken are named, and the tables stay", async () => {
   assert.ok(await page.getByText("speed, start to end (\u00b5m/h)").isVisible());
   await page.context().close();
 });
+
+test("laws stand in their own section, as they can be copied, and rates by their logarithm", async () => {
+  const run = sampleRun({ radius: 90, interval: 600, end: 3600 });
+  const formula = "r_off_min + r_c*exp(-F/F_c) + r_s*exp(min(20, F/F_s)^2)" + " + 0*exp(-zeta_diss*F/f_mat)".repeat(12);
+  run.laws = [{
+    name: "laws.disassembly_rate", text: formula, unit: "1/s",
+    curves: [{ over: "F", unit: "nN", at: "f_mat = 0.5", x: [0, 1, 2], changed: [1e-1, 1e-3, 1e-5], usual: [1e-2, 1e-3, null] }],
+  }];
+  const field = "100 + x^2" + "+0*exp(-x)".repeat(60);
+  run.parameters = [
+    { name: "laws.disassembly_rate", value: formula, default: "r_off_min", meaning: "Rate" },
+    { name: "ecm.fields.youngs_modulus", value: field, default: "", meaning: "Young's modulus of the matrix where it is not the same everywhere" },
+    { name: "ecm.viscosity", value: "0.2 nN s/um^2", default: "1 Pa s", meaning: "Viscosity" },
+  ];
+  for (const width of [1280, 390]) {
+    const { page, errors } = await open(browser, "run", JSON.stringify(run), { viewport: { width, height: 900 } });
+    await page.waitForSelector("html[data-ready=true]");
+    const rows = await page.locator("#parameters tbody tr").allTextContents();
+    assert.equal(rows.length, 2);
+    assert.ok(rows[0].includes(field), "as it can be copied");
+    assert.ok(rows[1].includes("0.2 nN s/\u00b5m\u00b2"));
+    assert.ok((await page.locator("#laws h3").textContent())?.includes(formula));
+    const box = (await page.locator("#parameters table").boundingBox())!;
+    assert.ok(box.height < 900, `${box.height} pixels at ${width}`);
+    assert.ok((await page.evaluate(() => document.documentElement.scrollWidth)) <= width + 1);
+    const ticks = await page.locator("#laws svg.plot text").allTextContents();
+    assert.ok(["10\u207b\u2075", "10\u207b\u00b3", "10\u207b\u00b9"].every((one) => ticks.includes(one)) || ["10\u207b\u2074", "10\u207b\u00b2"].every((one) => ticks.includes(one)), ticks.join());
+    assert.deepEqual(errors, []);
+    await page.context().close();
+  }
+});
