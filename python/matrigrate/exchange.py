@@ -6,15 +6,17 @@
 from __future__ import annotations
 
 import argparse
+import hashlib
 import json
 import sys
+import uuid
 from collections.abc import Iterator
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from . import _arguments, results
+from . import _arguments, _raster, results
 from ._version import __version__
 from .errors import MatrigrateError
 from .fields import Fields
@@ -82,7 +84,7 @@ def _ome_tiff(fields: Fields, file: Path, pixel: float | None, title: str, versi
     count = len(fields.times) * len(names)
     even, interval = _evenly(fields.times)
     about: dict[str, Any] = {
-        "axes": "TCYX", "Name": title, "Creator": f"Matrigrate {version}",
+        "axes": "TCYX", "Name": title, "Creator": f"Matrigrate {version}", "UUID": _name_of(fields, pixel),
         "PhysicalSizeX": pixel, "PhysicalSizeXUnit": "µm", "PhysicalSizeY": pixel, "PhysicalSizeYUnit": "µm",
         "Channel": {"Name": [name for name, *_ in names]},
         "Plane": {"DeltaT": [float(t) for t in np.repeat(fields.times, len(names))], "DeltaTUnit": ["s"] * count}}
@@ -91,6 +93,11 @@ def _ome_tiff(fields: Fields, file: Path, pixel: float | None, title: str, versi
     with tifffile.TiffWriter(file, ome=True, bigtiff=4 * side * side * count > 3_500_000_000) as writer:
         writer.write(_pages(fields, names, middles, radius, spacing), shape=(len(fields.times), len(names), side, side), dtype=np.float32,
                      photometric="minisblack", compression="zlib", resolution=(1e4 / pixel, 1e4 / pixel), resolutionunit="CENTIMETER", metadata=about)
+
+
+def _name_of(fields: Fields, pixel: float) -> str:
+    """A name of the stack that follows from what is in it, so that the same run makes the same bytes."""
+    return f"urn:uuid:{uuid.uuid5(uuid.NAMESPACE_OID, hashlib.sha256(fields.file.read_bytes()).hexdigest() + f' {pixel}')}"
 
 
 def _channels(fields: Fields) -> list[tuple[str, str, int | None]]:
@@ -157,14 +164,11 @@ def _nearest(places: Array, middles: Array, radius: float, spacing: float) -> Ar
 
 def _cells(outlines: dict[int, Array], middles: Array) -> Array:
     """The number of the cell in which the middle of each pixel lies; 0 outside."""
-    numbers = np.zeros((len(middles), len(middles)), np.float32)
+    half = float(middles[-1] + 0.5 * (middles[1] - middles[0]))
+    grid = _raster.Grid.over((-half, half, -half, half), 2 * half / len(middles))
+    numbers = np.zeros(grid.shape, np.float32)
     for number, outline in outlines.items():
-        start, end = outline.astype(float), np.roll(outline.astype(float), -1, axis=0)
-        for row, y in enumerate(-middles):
-            crossed = (start[:, 1] <= y) != (end[:, 1] <= y)
-            (x0, y0), (x1, y1) = start[crossed].T, end[crossed].T
-            crossings = np.sort(x0 + (y - y0) / (y1 - y0) * (x1 - x0))
-            numbers[row, np.searchsorted(crossings, middles, side="right") % 2 == 1] = number
+        numbers[_raster.inside(grid, outline.astype(float))] = number
     return numbers
 
 

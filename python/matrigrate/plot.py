@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from . import _arguments, _drawing, _fibres, _track_plots, _words
+from . import _arguments, _drawing, _fibres, _words
 from .results import Run
 from .studies import Runs, Study
 from .tracks import Tracks
@@ -32,7 +32,7 @@ def path(run: Run | Tracks | Mapping[str, Run], axes: Axes | None = None, *, tog
     """
     if isinstance(run, Tracks):
         axes = axes or _new_axes()
-        _track_plots.path(run, axes, together)
+        _drawing.track_paths(axes, run, together)
         _plane(axes)
         return axes
     runs = {"": _arguments.one_of("run", run, Run)} if not isinstance(run, Mapping) else dict(run)
@@ -186,7 +186,7 @@ def quality(tracks: Tracks) -> Any:
     (``Tracks.suspects``); drift of all cells. Returns the figure."""
     _arguments.one_of("tracks", tracks, Tracks)
     figure, axes = _pyplot().subplots(1, 3, figsize=(11, 3.6), layout="constrained")
-    _track_plots.quality(tracks, axes)
+    _drawing.track_quality(axes, tracks)
     return figure
 
 
@@ -197,7 +197,7 @@ def msd(results: Run | Study | Tracks, axes: Axes | None = None) -> Axes:
     axes = axes or _new_axes()
     axes.set(xlabel="lag (min)", ylabel="mean square displacement (µm²)")
     if isinstance(results, Tracks):
-        lag, square = _track_plots.msd(results, axes)
+        lag, square = _drawing.track_msd(axes, results)
         _slopes(axes, lag, square)
         return axes
     table = _arguments.one_of("results", results, Run, Study).msd

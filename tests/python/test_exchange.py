@@ -27,6 +27,8 @@ class Exchange(common.InTemporaryFolder):
 
     def test_a_stack_has_the_value_of_the_nearest_particle_and_the_cells(self):
         exchange.ome_tiff(self.pair, "pair.ome.tif", pixel=3.0)
+        exchange.ome_tiff(self.pair, "again.ome.tif", pixel=3.0)
+        self.assertTrue((self.folder / "pair.ome.tif").read_bytes() == (self.folder / "again.ome.tif").read_bytes(), "the same bytes")
         fields = self.pair.fields
         with tifffile.TiffFile("pair.ome.tif") as file:
             stack, told = file.series[0].asarray(), tifffile.xml2dict(file.ome_metadata)["OME"]["Image"]

@@ -37,7 +37,7 @@ class Words(unittest.TestCase):
         for path, text in words.items():
             self.assertIsNone(code.search(plain(_words.typeset(text))), path)
         self.assertEqual(_words.title("protrusion.force_nN"), "growth force of a protrusion, F_prot (nN)")
-        self.assertEqual(_words.title("actomyosin.force_nN"), "actomyosin force of a strand at full maturation, F_am (nN)")
+        self.assertEqual(_words.title("actomyosin.force_nN"), "actomyosin force of one strand at full maturation, F_am (nN)")
         self.assertEqual(_words.title("protrusion.number"), "target number of simultaneous protrusions, n_prot")
 
     def test_each_readout_has_words_of_its_own(self):
