@@ -14,7 +14,7 @@ namespace matrigrate::tracks {
 
 namespace {
 
-constexpr double very_far = 10.0; ///< over the usual step
+constexpr double long_one = 3.0, very_far = 10.0; ///< over the usual step
 
 struct Found {
   Step step;
@@ -98,10 +98,10 @@ Together together(std::span<const Step> steps, double usual, bool sure) {
     x += step.dx / n;
     y += step.dy / n;
   }
-  const auto long_ones = std::ranges::count_if(lengths, [&](double one) { return one > 0.3 * least; });
+  const auto long_ones = std::ranges::count_if(lengths, [&](double one) { return one > least * long_one / very_far; });
   if (static_cast<double>(long_ones) < 0.9 * n || !(statistics::quantile(lengths, 0.5) > least)) return Together::walks;
   for (const Step& step : steps) square += (std::pow(step.dx - x, 2) + std::pow(step.dy - y, 2)) / step.gap / n;
-  return std::sqrt(square) <= 3.0 * usual ? Together::shifts : Together::leaps;
+  return std::sqrt(square) <= long_one * usual ? Together::shifts : Together::leaps;
 }
 
 void look_for_leaps(const Tracks& tracks, const TrackOptions& options, Findings& findings) {
@@ -111,10 +111,16 @@ void look_for_leaps(const Tracks& tracks, const TrackOptions& options, Findings&
   const double usual = usual_step(steps);
   if (!(usual > 0.0)) return;
   const double first = tracks.first();
+  const auto is_long = [&](const Step& step) { return step.length() > long_one * usual; };
+  const auto all_long = std::ranges::count_if(steps, is_long);
+  const auto times = static_cast<double>(std::ranges::max_element(found, {}, &Found::to)->to);
   bool together_once = false;
   for (const auto& [k, across] : across_long_ones(found, usual)) {
     const Together kind = together(across, usual);
-    if (kind == Together::walks) continue;
+    // Where long steps are frequent, they fall together by chance.
+    const double others = static_cast<double>(all_long - std::ranges::count_if(across, is_long));
+    const double share = others / static_cast<double>(std::max<std::size_t>(1, found.size() - across.size()));
+    if (kind == Together::walks || std::pow(share, static_cast<double>(across.size())) * times > 0.05) continue;
     tell_together(across, kind, first + static_cast<double>(k) * tracks.interval, usual, options, findings);
     together_once = true;
   }

@@ -85,6 +85,16 @@ TEST(Movies, AreNotSeenInOne) {
                               "s: a wrong link, or another movie?");
 }
 
+TEST(Movies, AreNotSeenWhereLongStepsAreFrequent) {
+  std::string text = "track,t_s,x_um,y_um\n";
+  for (int cell = 0; cell < 2; ++cell)
+    for (int k = 0, x = 0; k < 100; ++k) {
+      x += k % 9 == 0 ? 40 : k % (5 + cell) == 0 ? 12 : 1;
+      text += fmt::format("{},{},{},{}\n", cell, 60 * k, cell == 0 ? x : 0, cell == 0 ? 0 : x);
+    }
+  EXPECT_EQ(faults(text, few()), "none") << "cells that rest and run";
+}
+
 TEST(Movies, ThatBeginAgainAreToldApartByTheColumnThatIsNamed) {
   const std::string again = table({.title = "mouse,", .first = "a,", .second = "b,", .begin = 0});
   const std::string told = faults(again, by_minute);
