@@ -273,7 +273,7 @@ test("a study with one axis, or with nothing done yet", async () => {
   await second.page.context().close();
 });
 
-test("ranks factor sets by discrepancy", async () => {
+test("ranks sets of parameters by discrepancy", async () => {
   const study = { ...sampleStudy(3), discrepancy: sampleDiscrepancy() };
   const { page, errors } = await open(browser, "study", JSON.stringify(study));
   await allDrawn(page);
@@ -282,7 +282,7 @@ test("ranks factor sets by discrepancy", async () => {
   assert.match(sets[0], /^base0.80.5 to 1.252 of 200.8\u22120.8$/);
   assert.match(sets[1], /^sample 1range_0 5 \u00b5m2.5\u20131 of 232.5\u2013$/);
   assert.deepEqual(await page.locator("#sets strong").allTextContents(), ["2.5"], "beyond two standard errors");
-  assert.match((await page.locator("#sets th >> nth=-1").textContent()) ?? "", /z v_migr_abs at stiff: 12.1 \u00b1 1/);
+  assert.match((await page.locator("#sets th >> nth=-1").textContent()) ?? "", /^z of speed, start to end, v_migr_abs \(\u00b5m\/h\) at stiff, target 12.1 \u00b1 1$/);
   assert.deepEqual(errors, []);
   await page.context().close();
   const plain = await open(browser, "study", JSON.stringify(sampleStudy(3)));

@@ -2,7 +2,7 @@
 import type { StudyPage } from "./contract";
 import { h, table } from "../dom";
 import { readable } from "../numbers";
-import { lettered, said, titleOf, verbatim } from "../words";
+import { lettered, said, titleOf } from "../words";
 
 const percent = (confidence: number): string => `${readable(100 * confidence, 3)} %`;
 
@@ -16,7 +16,7 @@ export function sets(study: StudyPage): HTMLElement | null {
   const titled = (name: string) => titleOf(study.readouts.find((r) => r.name === name) ?? { name, label: name, unit: "" });
   const target = (text: string) => text.replace("+-", "\u00b1").replace(/-?\d+\.\d{4,}(e-?\d+)?/g, (digits) => readable(Number(digits)));
   const heads = found.targets.map(
-    (t) => `z of ${titled(t.readout)}${t.condition ? ` at ${verbatim(t.condition)}` : ""}, target ${target(t.target)}${t.weight === 1 ? "" : `, weight ${readable(t.weight, 3)}`}`,
+    (t) => `z of ${titled(t.readout)}${t.condition ? ` at ${t.condition}` : ""}, target ${target(t.target)}${t.weight === 1 ? "" : `, weight ${readable(t.weight, 3)}`}`,
   );
   const words = (text: string) => h("span", {}, ...lettered(said(text, study.axes, study.readouts)));
   const count = found.targets.length;
