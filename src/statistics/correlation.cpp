@@ -109,13 +109,4 @@ Correlation pearson_within(Values x, Values y, const std::vector<std::size_t>& g
   return c;
 }
 
-std::vector<std::vector<Correlation>> correlation_matrix(const std::vector<std::vector<double>>& quantities) {
-  std::vector<std::vector<Correlation>> matrix;
-  for (const auto& x : quantities) {
-    std::vector<Correlation>& row = matrix.emplace_back();
-    for (const auto& y : quantities) row.push_back(pearson(x, y));
-  }
-  return matrix;
-}
-
 } // namespace matrigrate::statistics

@@ -33,7 +33,4 @@ Correlation spearman(Values x, Values y);
 /// @throws std::invalid_argument if they are not
 Correlation pearson_within(Values x, Values y, const std::vector<std::size_t>& group);
 
-/// Of each quantity with each: symmetric.
-std::vector<std::vector<Correlation>> correlation_matrix(const std::vector<std::vector<double>>& quantities);
-
 } // namespace matrigrate::statistics

@@ -30,49 +30,24 @@ namespace {
 
 using Json = nlohmann::ordered_json; // NaN is written as null
 
-/// Within points. Left out are read-outs without scatter within any point, such as a count that the study sets.
+/// Where a point has enough runs.
 Json correlation_json(const StudyReport& report) {
-  std::vector<std::size_t> point;
-  std::size_t most = 0; // runs at a point
-  std::map<std::size_t, std::size_t> count;
-  for (const Result& r : report.results) {
-    point.push_back(r.run.point);
-    if (r.standing.done()) most = std::max(most, ++count[r.run.point]);
-  }
-  std::vector<std::string> names;
-  std::vector<std::vector<double>> columns;
-  for (const std::string& readout : report.study.readouts) {
-    const std::size_t index = readout_column(readout);
-    std::vector<double> values;
-    for (const Result& r : report.results) values.push_back(r.readouts[index]);
-    if (std::isnan(statistics::pearson_within(values, values, point).r)) continue;
-    names.push_back(readout);
-    columns.push_back(std::move(values));
-  }
-  if (most < least_runs || names.size() < 2) return {};
-  std::vector<double> pairs;
-  for (std::size_t i = 0; i < columns.size(); ++i)
-    for (std::size_t j = i + 1; j < columns.size(); ++j)
-      pairs.push_back(statistics::pearson_within(columns[i], columns[j], point).p);
-  const std::vector<double> holm = statistics::holm(pairs);
-  std::size_t next = 0;
-  std::vector<std::vector<double>> p_holm(
-      columns.size(), std::vector<double>(columns.size(), std::numeric_limits<double>::quiet_NaN()));
-  for (std::size_t i = 0; i < columns.size(); ++i)
-    for (std::size_t j = i + 1; j < columns.size(); ++j) p_holm[i][j] = p_holm[j][i] = holm[next++];
-  Json r = Json::array();
-  Json p = Json::array();
-  Json n = Json::array();
-  for (const auto& x : columns) {
+  std::map<std::size_t, std::size_t> runs; // at each point
+  std::size_t most = 0;
+  for (const Result& r : report.results)
+    if (r.standing.done()) most = std::max(most, ++runs[r.run.point]);
+  const Correlations found = correlations(report.study, report.results);
+  if (most < least_runs || found.readouts.size() < 2) return {};
+  Json r = Json::array(), p = Json::array(), n = Json::array();
+  for (const auto& row : found.pairs) {
     for (Json* matrix : {&r, &p, &n}) matrix->push_back(Json::array());
-    for (const auto& y : columns) {
-      const statistics::Correlation c = statistics::pearson_within(x, y, point);
+    for (const statistics::Correlation& c : row) {
       r.back().push_back(c.r);
       p.back().push_back(c.p);
       n.back().push_back(c.n);
     }
   }
-  return {{"names", names}, {"r", r}, {"p", p}, {"p_holm", p_holm}, {"n", n}};
+  return {{"names", found.readouts}, {"r", r}, {"p", p}, {"p_holm", found.p_holm}, {"n", n}};
 }
 
 /// Read-outs over factors where the points are no grid: values of numbers in the unit of their row, one a point, and

@@ -107,7 +107,7 @@ Collected collect_tables(const StudyFolder& study, const std::vector<Result>& ke
   write_file(study.folder / "results.csv", results_csv(study.study, all));
   write_file(study.folder / "groups.csv", groups_csv(study.study, c.results));
   write_file(study.folder / "statistics.csv", statistics_csv(study.study, c.comparisons, c.results));
-  write_file(study.folder / "correlations.csv", correlations_csv(study.study, c.results));
+  write_file(study.folder / "correlations.csv", correlations_csv(correlations(study.study, c.results)));
   write_or_remove(study.folder / "discrepancy.csv", !study.study.targets.empty(),
                   discrepancy_csv(study.study, c.discrepancies));
   write_curves(study, c.results);

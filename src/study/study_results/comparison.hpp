@@ -1,6 +1,7 @@
 #pragma once
 
 #include "statistics/compare.hpp"
+#include "statistics/correlation.hpp"
 #include "study_plan/study.hpp"
 #include "study_results/results.hpp"
 
@@ -59,8 +60,16 @@ std::string statistics_csv(const Study& study, const std::vector<Comparison>& co
 /// quartiles, whiskers.
 std::string groups_csv(const Study& study, const std::vector<Result>& results);
 
-/// correlations.csv: Pearson's r and p of each pair of read-outs of the study, over all runs that are done.
-std::string correlations_csv(const Study& study, const std::vector<Result>& results);
+/// Pearson's r within points of each pair of read-outs, so that what differs between points makes no correlation.
+struct Correlations {
+  std::vector<std::string> readouts;                       ///< those with scatter within a point
+  std::vector<std::vector<statistics::Correlation>> pairs; ///< of each read-out with each
+  std::vector<std::vector<double>> p_holm;                 ///< after Holm over all pairs; NaN of one with itself
+};
+Correlations correlations(const Study& study, const std::vector<Result>& results);
+
+/// correlations.csv: these, a row for each pair.
+std::string correlations_csv(const Correlations& found);
 
 std::string name(TestKind test);
 

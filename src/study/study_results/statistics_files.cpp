@@ -1,8 +1,10 @@
-#include "statistics/correlation.hpp"
 #include "study_results/comparison.hpp"
 #include "tables/row_file.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
 
 namespace matrigrate::study {
 
@@ -92,15 +94,40 @@ std::string groups_csv(const Study& study, const std::vector<Result>& results) {
   return text;
 }
 
-std::string correlations_csv(const Study& study, const std::vector<Result>& results) {
+Correlations correlations(const Study& study, const std::vector<Result>& results) {
+  std::vector<std::size_t> point;
+  for (const Result& r : results) point.push_back(r.run.point);
+  Correlations found;
   std::vector<std::vector<double>> columns;
-  for (const std::string& readout : study.readouts) columns.push_back(column(results, readout));
-  const auto matrix = statistics::correlation_matrix(columns);
-  std::string text = csv_line({View("readout_x"), View("readout_y"), View("n"), View("r"), View("p")});
-  for (std::size_t i = 0; i < columns.size(); ++i)
-    for (std::size_t j = 0; j < columns.size(); ++j)
-      text += csv_line(
-          {View(study.readouts[i]), View(study.readouts[j]), count(matrix[i][j].n), matrix[i][j].r, matrix[i][j].p});
+  for (const std::string& readout : study.readouts) {
+    std::vector<double> values = column(results, readout);
+    if (std::isnan(statistics::pearson_within(values, values, point).r)) continue;
+    found.readouts.push_back(readout);
+    columns.push_back(std::move(values));
+  }
+  const std::size_t n = columns.size();
+  found.p_holm.assign(n, std::vector<double>(n, std::numeric_limits<double>::quiet_NaN()));
+  std::vector<double> p; // of each pair once
+  for (std::size_t i = 0; i < n; ++i) {
+    found.pairs.emplace_back();
+    for (std::size_t j = 0; j < n; ++j)
+      found.pairs[i].push_back(statistics::pearson_within(columns[i], columns[j], point));
+    for (std::size_t j = i + 1; j < n; ++j) p.push_back(found.pairs[i][j].p);
+  }
+  const std::vector<double> holm = statistics::holm(p);
+  std::size_t next = 0;
+  for (std::size_t i = 0; i < n; ++i)
+    for (std::size_t j = i + 1; j < n; ++j) found.p_holm[i][j] = found.p_holm[j][i] = holm[next++];
+  return found;
+}
+
+std::string correlations_csv(const Correlations& found) {
+  std::string text = csv_line({View("readout_x"), View("readout_y"), View("n"), View("r"), View("p"), View("p_holm")});
+  for (std::size_t i = 0; i < found.readouts.size(); ++i)
+    for (std::size_t j = 0; j < found.readouts.size(); ++j) {
+      const statistics::Correlation& c = found.pairs[i][j];
+      text += csv_line({View(found.readouts[i]), View(found.readouts[j]), count(c.n), c.r, c.p, found.p_holm[i][j]});
+    }
   return text;
 }
 

@@ -37,7 +37,24 @@ TEST(Comparison, DifferencesAndTheirCorrection) {
   EXPECT_TRUE(csv.starts_with("readout,point_a,point_b,protrusion.number_a,protrusion.number_b,n_a,")) << csv;
   EXPECT_NE(csv.find("\nf_mat,n_prot 1,n_prot 2,1,2,3,3,"), std::string::npos) << csv;
   EXPECT_NE(groups_csv(s, results).find("\nf_mat,n_prot 3,3,3,"), std::string::npos);
-  EXPECT_NE(correlations_csv(s, results).find("\nf_mat,f_mat,9,1,0"), std::string::npos);
+}
+
+// What differs between points makes no correlation within them: here r is 1 over all runs, -1 within.
+TEST(Comparison, CorrelationsAreWithinPoints) {
+  const Study s =
+      read("readouts = [\"f_mat\", \"l_prot_um\", \"n_protrusions\"]\n[sweep]\nprotrusion.number = [1, 2]\n");
+  std::vector<Result> results = results_of("f_mat", {{0.1, 0.2, 0.3}, {10.1, 10.2, 10.3}});
+  for (Result& r : results) {
+    const double f_mat = r.readouts[readout_column("f_mat")];
+    r.readouts[readout_column("l_prot_um")] = f_mat > 1.0 ? 30.0 - f_mat : 1.0 - f_mat;
+    r.readouts[readout_column("n_protrusions")] = f_mat > 1.0 ? 2.0 : 1.0; // without scatter within a point
+  }
+  const Correlations found = correlations(s, results);
+  EXPECT_EQ(found.readouts, (std::vector<std::string>{"f_mat", "l_prot_um"}));
+  EXPECT_NEAR(found.pairs[0][1].r, -1.0, 1e-9);
+  EXPECT_EQ(found.p_holm[0][1], found.pairs[0][1].p) << "the only pair";
+  const std::string csv = correlations_csv(found);
+  EXPECT_TRUE(csv.starts_with("readout_x,readout_y,n,r,p,p_holm\nf_mat,f_mat,6,1,")) << csv;
 }
 
 TEST(Comparison, TheIntervalOfADifferenceIsThatOfTheTest) {
