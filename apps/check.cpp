@@ -3,6 +3,7 @@
 #include "base/failure.hpp"
 #include "base/file.hpp"
 #include "claims/shipped_studies.hpp"
+#include "parameters/closures.hpp"
 #include "parameters/judge.hpp"
 #include "parameters/read.hpp"
 #include "run/estimate.hpp"
@@ -38,11 +39,20 @@ struct Finding {
   std::string file;
   bool study = false;
   std::string size;               ///< of a good study: "4 points x 2 replicates = 8 runs"
-  std::vector<std::string> notes; ///< on the measured tracks of a study; what the steps of a scenario cost, and which
-                                  ///< of its outputs are uneven
+  std::string closures;           ///< the set that a good file belongs to
+  std::vector<std::string> notes; ///< on closures and model; on the measured tracks of a study; what the steps of a
+                                  ///< scenario cost, and which of its outputs are uneven
   std::vector<Fault> faults;      ///< none if it is good
   std::string unreadable;         ///< why it cannot be read; empty if it can
 };
+
+/// The set of closures of a scenario or of the base of a study, and what to know about them and about the model.
+void look_at_model(const Parameters& p, Finding& found) {
+  const Closures closures = closures_of(p);
+  found.closures = closures_text(closures);
+  for (const std::string& note : {closures_note(closures), run::note_of_scenario(p), run::note_of_drag(p)})
+    if (!note.empty()) found.notes.push_back(note);
+}
 
 Finding look_at(const std::string& file, const std::vector<std::string>& overrides) {
   Finding found;
@@ -57,10 +67,12 @@ Finding look_at(const std::string& file, const std::vector<std::string>& overrid
                                    .labels_of = study::other_studies(std::filesystem::path(file).parent_path())});
       for (const study::Target& target : s.targets)
         found.notes.insert(found.notes.end(), target.notes.begin(), target.notes.end());
+      look_at_model(s.base, found);
       found.size = fmt::format("{} points x {} replicates = {} runs", s.points.size(), s.replicates, s.runs());
     } else {
       const Parameters p = read_parameters(file, overrides, start_rules());
-      found.notes = run::uneven_outputs(p);
+      look_at_model(p, found);
+      for (std::string& note : run::uneven_outputs(p)) found.notes.push_back(std::move(note));
       if (std::string bias = run::fault_of_bias(p); !bias.empty()) found.notes.push_back(std::move(bias));
       if (std::string cost = run::cost_of_reference_steps(p); !cost.empty()) found.notes.push_back(std::move(cost));
     }
@@ -78,7 +90,9 @@ Json to_json(const Finding& found) {
     list.push_back({{"line", fault.line}, {"column", fault.column}, {"key", fault.key}, {"message", fault.message}});
   if (!found.unreadable.empty())
     list.push_back({{"line", 0}, {"column", 0}, {"key", ""}, {"message", found.unreadable}});
-  return {{"file", found.file}, {"kind", found.study ? "study" : "scenario"}, {"good", list.empty()}, {"faults", list}};
+  return {{"file", found.file},   {"kind", found.study ? "study" : "scenario"},
+          {"good", list.empty()}, {"closures", found.closures.empty() ? Json() : Json(found.closures)},
+          {"notes", found.notes}, {"faults", list}};
 }
 
 void print_finding(const Finding& found) {
@@ -87,6 +101,8 @@ void print_finding(const Finding& found) {
   if (!found.faults.empty()) return;
   print(fmt::format("{}: {}{}\n", found.file, coloured("good", Colour::good, Stream::out),
                     found.study ? " study: " + found.size : ""));
+  if (found.closures != closures_text(closures_of({})))
+    print(fmt::format("{}: closures: {}\n", found.file, found.closures));
   for (const std::string& note : found.notes) print(fmt::format("{}: {}\n", found.file, note));
 }
 
@@ -119,8 +135,9 @@ void add_check(CLI::App& app, Action& chosen) {
   verb->footer(
       "A fault is printed as file:line:column: key: what is wrong and what is allowed. Of a file that is not TOML the\n"
       "first error is printed.\n"
-      "--json prints {good, files: [{file, kind, good, faults: [{line, column, key, message}]}]}; line and column are "
-      "0\nwhere there is none. Exit code 3 if any file has a fault, 5 if one cannot be read.\n"
+      "A good file is followed by notes, and by the set of closures that it belongs to where that is not the third.\n"
+      "--json prints {good, files: [{file, kind, good, closures, notes, faults: [{line, column, key, message}]}]};\n"
+      "line and column are 0 where there is none. Exit code 3 if any file has a fault, 5 if one cannot be read.\n"
       "--values reads JSON lists such as [{\"path\": \"ecm.radius\", \"value\": \"60 um\"}], and prints for each a\n"
       "list of {fault, number}: what is wrong with the value, and the value in the documented unit. Rules that join\n"
       "parameters are not tried. Exit code 0, whatever is found; 3 if a file is no such list.");

@@ -62,6 +62,7 @@ RunOutcome outcome_of(const RunArguments& options, const Parameters& p, const Ru
   require_no_study(how.folder);
   if (!options.force && holds_run(how.folder, p)) return resume(how, p, display);
   options.force ? warn_of_other_files(how.folder, display) : require_free(how.folder, p, display);
+  if (const std::string note = note_of_scenario(p); !note.empty()) display.warn(note);
   RunStart start{.s = initial_state(p), .p = p};
   if (options.file_is_temporary) start.scenario = std::filesystem::path(options.file).stem().string();
   make_output_folder(how.folder, options.force);

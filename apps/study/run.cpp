@@ -7,6 +7,8 @@
 #include "base/failure.hpp"
 #include "base/time_text.hpp"
 #include "claims/shipped_studies.hpp"
+#include "parameters/closures.hpp"
+#include "run/estimate.hpp"
 #include "run/folder_lock.hpp"
 #include "run/occupied_folder.hpp"
 #include "simulation/start_rules.hpp"
@@ -148,6 +150,9 @@ int run_study(const StudyOptions& options) {
   make_study_folder(study);
   const FolderLock lock(study.folder, FolderLock::Kind::alone);
   write_study(study);
+  for (const std::string& note :
+       {closures_note(closures_of(study.study.base)), run::note_of_scenario(study.study.base)})
+    if (!note.empty()) print_warning(note);
   tell_gone(options, study);
   PoolOutcome outcome = compute(
       study, all_runs(study),
@@ -173,10 +178,12 @@ int show_status(const StudyOptions& options) {
   const study::StudyProgress progress = progress_of(study, standings);
   for (const study::RunningRun& run : progress.running) standings[run.run].status = study::RunState::running;
   std::vector<study::Trouble> troubles;
+  std::vector<study::Result> done_runs;
   std::map<std::string, std::size_t> count;
   for (std::size_t i = 0; i < study.runs.size(); ++i) {
     study::Standing& s = standings[i];
     if (s.status != study::RunState::running) s = results(study.study, {study.runs[i]}, study.folder).front().standing;
+    if (s.done()) done_runs.push_back({study.runs[i], s, {}});
     if (is_trouble(s.status)) troubles.push_back({i, s.status, s.reason});
     ++count[std::string(to_string(s.status))];
   }
@@ -186,12 +193,14 @@ int show_status(const StudyOptions& options) {
                 {"count", count},
                 {"running", to_json(study, progress.running)},
                 {"left_s", progress.left ? Json(*progress.left) : Json()},
+                {"builds", programs_of(done_runs)},
                 {"not_done", to_json(study, troubles)}});
     return done;
   }
   print(fmt::format("{} runs:", study.runs.size()));
   for (const auto& [status, n] : count) print(fmt::format(" {} {}", n, status));
   print("\n" + running_text(study, progress) + troubles_text(study, troubles));
+  if (const std::string text = programs_text(done_runs); !text.empty()) print(text + "\n");
   return done;
 }
 

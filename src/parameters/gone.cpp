@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <sstream>
+#include <utility>
 
 namespace matrigrate {
 
@@ -15,18 +16,27 @@ namespace {
 constexpr std::string_view no_snapshots =
     "a run draws no snapshots: its page plays it, export --png and --panel draw frames, --layer chooses the layer";
 
+constexpr std::array profiles{GoneFormula{"\"gaussian\"", "exp(-((kappa - kappa_0)/kappa_w)^2)"},
+                              GoneFormula{"\"triangle\"", "max(0, 1 - abs(kappa - kappa_0)/kappa_w)"}};
+constexpr std::array chemotaxis{GoneFormula{"", "exp({}*occupancy)"}};
+constexpr std::array haptotaxis{GoneFormula{"", "exp({}*ligand)"}};
+constexpr std::array guidance{GoneFormula{"", "exp({}*alignment)"}};
+
+constexpr Gone drawing(std::string_view path, std::string_view behind, std::string_view left) {
+  return {path, behind, left, "", no_snapshots, {}, {}, true};
+}
+
 constexpr std::array parameters{
     Gone{"ecm.formulation", "ecm.thickness", "\"total_lagrangian\"", "",
          "the stress of the solid is summed over reference neighbours"},
     Gone{"fibres.law", "fibres.stiffening_strain", "\"tangent\"", "", "Eq. 5 is the tangent stiffness of a fibre"},
-    Gone{"fibres.pull", "fibres.law", "\"axial\"", "", "a fibre pulls along itself"},
-    Gone{"fibres.plane_to_space", "fibres.pull", "false", "", "k_0 is fibres.stiffness; write 8/15 of it there"},
+    Gone{"fibres.pull", "fibres.stiffening_strain", "\"axial\"", "", "a fibre pulls along itself"},
+    Gone{"fibres.plane_to_space", "fibres.stiffening_strain", "false", "",
+         "k_0 is fibres.stiffness; write 8/15 of it there"},
     Gone{"cell.centre_of_mass", "cell.radius", "\"particles\"", "\"area\"",
          "the centre of mass is the mean of the cortex particles"},
-    Gone{"actomyosin.curvature_profile", "actomyosin.curvature_width", "\"half_gaussian\"", "",
-         "laws.curvature_factor = \"exp(-((kappa - kappa_0)/kappa_w)^2)\" for \"gaussian\", "
-         "\"max(0, 1 - abs(kappa - kappa_0)/kappa_w)\" for \"triangle\"",
-         true},
+    Gone{"actomyosin.curvature_profile", "actomyosin.curvature_width", "\"half_gaussian\"", "", "",
+         "laws.curvature_factor", profiles},
     Gone{"protrusion.growing_base", "protrusion.least_facing", "\"tied\"", "",
          "the base of a growing protrusion is tied"},
     Gone{"adhesion.rupture_strands", "adhesion.rupture_ratio", "2", "",
@@ -40,22 +50,14 @@ constexpr std::array parameters{
     Gone{"degradation.pressure", "degradation.body_rear_share", "\"sum\"", "",
          "the larger pressure and degradation.smaller_share of the smaller one are added; smaller_share = 0 is the "
          "larger pressure alone"},
-    Gone{"cues.chemotaxis", "", "0", "", "laws.initiation_bias = \"exp({}*occupancy)\"", true},
-    Gone{"cues.haptotaxis", "", "0", "", "laws.initiation_bias = \"exp({}*ligand)\"", true},
-    Gone{"cues.guidance", "", "0", "", "laws.initiation_bias = \"exp({}*alignment)\"", true},
-    Gone{"output.snapshot_interval", "output.track_interval", "\"1800 s\"", "", no_snapshots, false, true},
-    Gone{"output.pictures", "output.report", "true", "", no_snapshots, false, true},
-    Gone{"output.displacement_layer", "output.pictures", "false", "", no_snapshots, false, true},
-    Gone{"output.fibre_stress_layer", "output.displacement_layer", "true", "", no_snapshots, false, true},
+    Gone{"cues.chemotaxis", "", "0", "", "", "laws.initiation_bias", chemotaxis},
+    Gone{"cues.haptotaxis", "", "0", "", "", "laws.initiation_bias", haptotaxis},
+    Gone{"cues.guidance", "", "0", "", "", "laws.initiation_bias", guidance},
+    drawing("output.snapshot_interval", "output.track_interval", "\"1800 s\""),
+    drawing("output.pictures", "output.report", "true"),
+    drawing("output.displacement_layer", "output.report", "false"),
+    drawing("output.fibre_stress_layer", "output.report", "true"),
 };
-
-/// A value as it stands in a scenario file.
-std::string text_of(const toml::node& value) {
-  if (const auto text = value.value_exact<std::string>()) return fmt::format("\"{}\"", excerpt(*text));
-  std::ostringstream text;
-  value.visit([&](const auto& typed) { text << typed; });
-  return excerpt(text.str());
-}
 
 } // namespace
 
@@ -66,17 +68,54 @@ const Gone* find_gone(std::string_view path) {
   return found == parameters.end() ? nullptr : &*found;
 }
 
+std::string gone_value(const toml::node& value) {
+  if (const auto text = value.value_exact<std::string>()) return fmt::format("\"{}\"", excerpt(*text));
+  if (const auto number = value.value_exact<double>()) return fmt::format("{}", *number);
+  std::ostringstream text;
+  value.visit([&](const auto& typed) { text << typed; });
+  return excerpt(text.str());
+}
+
 std::string gone_text(std::string_view value, const Gone& parameter) {
-  if (parameter.is_law)
-    return fmt::format("{} has gone: write {}", value, fmt::format(fmt::runtime(parameter.fate), value));
   if (parameter.is_drawing) return fmt::format("{} has gone: {}", value, parameter.fate);
-  return fmt::format("{} has gone: {}; the version of the tag closures-2 has the other readings", value,
-                     parameter.fate);
+  if (parameter.law.empty())
+    return fmt::format("{} has gone: {}; the version of the tag closures-2 has the other readings", value,
+                       parameter.fate);
+  std::string text;
+  for (const GoneFormula& one : parameter.formulas)
+    text += fmt::format("{}\"{}\"{}", text.empty() ? "" : ", ", fmt::format(fmt::runtime(one.formula), value),
+                        one.value.empty() ? std::string() : fmt::format(" for {}", one.value));
+  return fmt::format("{} has gone: write {} = {}", value, parameter.law, text);
+}
+
+std::optional<std::string> formula_of_gone(const Gone& parameter, std::string_view value) {
+  for (const GoneFormula& one : parameter.formulas)
+    if (one.value.empty() || one.value == value) return fmt::format(fmt::runtime(one.formula), value);
+  return std::nullopt;
 }
 
 std::string fault_of_gone(const Gone& parameter, const toml::node& value) {
-  const std::string given = text_of(value);
+  const std::string given = gone_value(value);
   return parameter.is_drawing || given == parameter.left ? "" : gone_text(given, parameter);
+}
+
+std::vector<std::array<std::string, 3>> gone_that_differ(const Parameters& a, const Parameters& b) {
+  const auto value_in = [](const Parameters& p, const Gone& parameter) {
+    const auto kept = p.origin.gone.find(parameter.path);
+    return kept == p.origin.gone.end() ? std::string(parameter.left) : kept->second;
+  };
+  std::vector<std::array<std::string, 3>> all;
+  for (const Gone& parameter : gone())
+    if (std::string of_a = value_in(a, parameter), of_b = value_in(b, parameter); of_a != of_b)
+      all.push_back({std::string(parameter.path), std::move(of_a), std::move(of_b)});
+  return all;
+}
+
+std::vector<Fault> faults_of_gone(const Parameters& p, const std::string& place) {
+  std::vector<Fault> faults;
+  for (const auto& [path, value] : p.origin.gone)
+    faults.push_back({place, 0, 0, path, gone_text(value, *find_gone(path))});
+  return faults;
 }
 
 } // namespace matrigrate

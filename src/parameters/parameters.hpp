@@ -1,6 +1,8 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -11,7 +13,7 @@ class Grids;
 
 /// Every parameter of a simulation, in internal units: um, s, nN; stress in kPa, viscosity in nN s/um^2 = 1000 Pa s.
 /// Defaults are Table 1 of Heck et al. 2020 and the interpretations of MODEL.md. Their names, units, ranges and sources
-/// are in schema.cpp alone; presets.cpp, apps/{branch,study_claims}.cpp and study_plan/settings.cpp name some of them.
+/// are in schema.cpp alone; presets.cpp, closures.cpp and study_plan/settings.cpp name some of them.
 namespace matrigrate {
 
 /// Arrangement of the matrix particles at the start.
@@ -238,6 +240,13 @@ struct CellStart {
   double y = 0.0; ///< of its centre [um]
 };
 
+/// What the file of another version says beyond the parameters. No parameter: no result depends on it.
+struct Origin {
+  std::string version; ///< of the program that wrote the file, if its model is another (parameters/version.hpp)
+  std::map<std::string, std::string, std::less<>> gone; ///< readings that no program of this version computes
+                                                        ///< (parameters/gone.hpp): path and value
+};
+
 struct Parameters {
   RunParameters run;
   EcmParameters ecm;
@@ -259,6 +268,8 @@ struct Parameters {
   /// No parameter: what was read of the files that fields name, kept by readers and shared by copies
   /// (fields/grids.hpp).
   std::shared_ptr<fields::Grids> grids;
+
+  Origin origin;
 };
 
 /// Where the cells start, in the order of their ids: Parameters::cells, or the one at cell.start_x, cell.start_y.

@@ -5,7 +5,6 @@
 #include "fields/grids.hpp"
 #include "parameters/assign.hpp"
 #include "parameters/document.hpp"
-#include "parameters/earlier.hpp"
 #include "parameters/fault_list.hpp"
 #include "parameters/gone.hpp"
 #include "parameters/nearest.hpp"
@@ -13,6 +12,7 @@
 #include "parameters/read_cells.hpp"
 #include "parameters/scan.hpp"
 #include "parameters/schema.hpp"
+#include "parameters/version.hpp"
 
 #include <fmt/format.h>
 
@@ -20,6 +20,7 @@
 #include <map>
 #include <set>
 #include <stdexcept>
+#include <tuple>
 
 namespace matrigrate {
 
@@ -73,6 +74,10 @@ public:
     const toml::node* version = table.get("version"); // first, since what is unknown depends on it
     if (version != nullptr) take_version(*version, place_of(m_faults.file(), version->source()));
     m_resolved = version != nullptr || text.starts_with(resolved_head);
+    if (m_resolved && m_faults.empty()) {
+      const std::string writer = m_version.empty() ? std::string(last_without_key) : m_version;
+      m_parameters.origin.version = has_this_model(writer) ? "" : writer;
+    }
     if (is_study(table))
       return refuse({m_faults.file(), 0, 0, "",
                      fmt::format("is a study of many runs, and not a scenario; matrigrate study plan {0} shows what it "
@@ -110,6 +115,7 @@ public:
       check_cells();
       check_rules(rules());
       check_rules(more);
+      if (!more.empty()) check_gone();
     }
     m_faults.raise();
     return m_parameters;
@@ -121,21 +127,52 @@ private:
     if (!m_resolved) return;
     for (const Gone& parameter : gone()) // the key `version` came later than these
       if (!parameter.before.empty() && m_version.empty() && !m_given.contains(parameter.path))
-        complain({m_faults.file()}, std::string(parameter.path),
-                 fmt::format("is not there, which means {0}; {1}", parameter.before,
-                             gone_text(parameter.before, parameter)));
+        keep_gone(parameter, std::string(parameter.before), {m_faults.file()});
+    follow_laws();
     for (const Row& row : schema())
-      if (row.before && !m_given.contains(row.path))
-        take(std::string(row.path), *toml::parse("value = " + before_text(row, m_parameters)).get("value"),
-             {m_faults.file()});
+      if (row.before && !m_given.contains(row.path)) take_text(row.path, before_text(row, m_parameters));
   }
 
   /// A file with the one profile that is still read means its law, not today's default.
   void follow_curvature_profile() {
     const Row& law = *find_row("laws.curvature_factor");
     if (m_given.contains("actomyosin.curvature_profile") && !m_given.contains(law.path))
-      take(std::string(law.path), *toml::parse("value = " + before_text(law, m_parameters)).get("value"),
-           {m_faults.file()});
+      take_text(law.path, before_text(law, m_parameters));
+  }
+
+  /// What parameters that have gone say is said by their laws, where the file does not give these; several biases are
+  /// a product.
+  void follow_laws() {
+    std::map<std::string_view, std::string> laws;
+    for (const Gone& parameter : gone()) {
+      const auto said = m_gone.find(parameter.path);
+      if (parameter.law.empty() || said == m_gone.end()) continue;
+      std::string& law = laws[parameter.law];
+      law += (law.empty() ? "" : "*") + *formula_of_gone(parameter, said->second);
+    }
+    for (const auto& [path, law] : laws)
+      if (!m_given.contains(path)) take_text(path, fmt::format("\"{}\"", law));
+  }
+
+  /// Who computes is refused what the program does not compute any more.
+  void check_gone() {
+    for (Fault& fault : faults_of_gone(m_parameters, m_faults.file())) {
+      if (const auto given = m_given.find(fault.key); given != m_given.end())
+        std::tie(fault.file, fault.line, fault.column) =
+            std::tie(given->second.file, given->second.line, given->second.column);
+      m_faults.add(std::move(fault));
+    }
+  }
+
+  /// A value in a file that a program wrote, of a parameter that has gone.
+  void keep_gone(const Gone& parameter, std::string value, const Place& place) {
+    if (value == parameter.left || parameter.is_drawing) return;
+    if (parameter.law.empty())
+      m_parameters.origin.gone.insert_or_assign(std::string(parameter.path), std::move(value));
+    else if (formula_of_gone(parameter, value))
+      m_gone.insert_or_assign(parameter.path, std::move(value));
+    else
+      complain(place, std::string(parameter.path), gone_text(value, parameter));
   }
 
   /// A usual step that nobody has named becomes that of the integrator.
@@ -202,6 +239,7 @@ private:
     if (row == nullptr && has_gone == nullptr) return unknown(path, false, place);
     m_given.insert_or_assign(path, place);
     if (has_gone != nullptr) {
+      if (m_resolved && place.file != command_line) return keep_gone(*has_gone, gone_value(node), place);
       if (std::string fault = fault_of_gone(*has_gone, node); !fault.empty()) complain(place, path, std::move(fault));
       return;
     }
@@ -214,6 +252,11 @@ private:
         && names_directions(std::get<std::string& (*)(Parameters&)>(row->member)(m_parameters)))
       fault = "direction= takes the direction of fibres from a picture, which is for fibres.field.direction_deg";
     if (!fault.empty()) complain(place, path, fault);
+  }
+
+  /// A value that the file means without saying it. @param value  as it stands in a scenario file
+  void take_text(std::string_view path, const std::string& value) {
+    take(std::string(path), *toml::parse("value = " + value).get("value"), {m_faults.file()});
   }
 
   void take_cells(const toml::node& node, const Place& place) {
@@ -277,8 +320,9 @@ private:
   bool m_resolved = false; ///< the file holds every parameter of the version that wrote it
   std::string m_version;   ///< that wrote the file; empty if it does not say
   std::map<std::string, Place, std::less<>> m_given;
-  std::vector<Place> m_cell_places;            ///< of the cells that were given
-  std::set<std::string, std::less<>> m_blamed; ///< keys with a fault of their own
+  std::map<std::string_view, std::string> m_gone; ///< what a resolved file says by parameters that laws have replaced
+  std::vector<Place> m_cell_places;               ///< of the cells that were given
+  std::set<std::string, std::less<>> m_blamed;    ///< keys with a fault of their own
 };
 
 } // namespace

@@ -14,6 +14,9 @@
 /// with its place; otherwise every fault of the file and of the overrides is reported at once, sorted by line, the
 /// first 200 in full. No fault leaves a half-read result. The time is linear in the length of the file. Test:
 /// tests/unit/parameters/read_test.cpp, tests/unit/parameters/hostile_test.cpp
+///
+/// Files that other versions wrote are read as they were meant, also where this program does not compute that any more
+/// (Parameters::origin). Who computes names rules that must hold besides rules(), and is refused such a file.
 namespace matrigrate {
 
 /// @param overrides  "key=value" each, as after --set; the value in TOML or bare (400 Pa, hexagonal); the last one wins

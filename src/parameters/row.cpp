@@ -161,7 +161,7 @@ bool same(const Parameters& a, const Parameters& b) {
                             [&](auto member) { return member(p) == member(q); }},
                       row.member);
   };
-  return std::ranges::all_of(schema(), agrees) && cells_text(a) == cells_text(b);
+  return std::ranges::all_of(schema(), agrees) && cells_text(a) == cells_text(b) && a.origin.gone == b.origin.gone;
 }
 
 std::vector<CellStart> cell_starts(const Parameters& p) {

@@ -1,8 +1,8 @@
 #include "parameters/write.hpp"
 
-#include "parameters/earlier.hpp"
 #include "parameters/gone.hpp"
 #include "parameters/schema.hpp"
+#include "parameters/version.hpp"
 
 #include <fmt/format.h>
 
@@ -174,12 +174,9 @@ std::string to_toml(const Parameters& p) {
 std::string values_text(const Parameters& p) {
   std::string text;
   Parameters q = p;
-  const auto add_gone = [&](auto& self, std::string_view behind) -> void {
-    for (const Gone& parameter : gone())
-      if (parameter.behind == behind) {
-        text += fmt::format("{} = {}\n", parameter.path, parameter.left);
-        self(self, parameter.path);
-      }
+  const auto value_of_gone = [&p](const Gone& parameter) {
+    const auto kept = p.origin.gone.find(parameter.path);
+    return kept == p.origin.gone.end() ? parameter.left : std::string_view(kept->second);
   };
   for (const Row& row : schema()) {
     if (counts(row, p))
@@ -187,7 +184,8 @@ std::string values_text(const Parameters& p) {
                           row.unit == "rad" // as fingerprints have had it
                               ? fmt::format("{}", std::get<double& (*)(Parameters&)>(row.member)(q))
                               : value_text(row, p));
-    add_gone(add_gone, row.path);
+    for (const Gone& parameter : gone())
+      if (parameter.behind == row.path) text += fmt::format("{} = {}\n", parameter.path, value_of_gone(parameter));
   }
   return p.cells.empty() ? text : text + fmt::format("cells = {}\n", cells_text(p));
 }

@@ -2,8 +2,10 @@
 
 #include "base/failure.hpp"
 #include "base/file.hpp"
+#include "base/time_text.hpp"
 #include "parameters/read.hpp"
 #include "parameters/schema.hpp"
+#include "parameters/version.hpp"
 #include "run/folder_lock.hpp"
 #include "run/occupied_folder.hpp"
 #include "run/own_files.hpp"
@@ -14,12 +16,16 @@
 #include "simulation/start_rules.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <optional>
+#include <set>
 #include <span>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -30,26 +36,36 @@ namespace {
 using Json = nlohmann::ordered_json;
 namespace fs = std::filesystem;
 
-/// The checkpoint that lies closest before t [s] on the way of a longer run; none: the start. Warns of those that
-/// cannot be read.
-std::optional<FoundCheckpoint> checkpoint_before(const fs::path& folder, double t, RunObserver& observer) {
+/// The checkpoints around a time.
+struct Around {
+  std::optional<FoundCheckpoint> before; ///< closest before it; none: the start
+  std::optional<double> after;           ///< time of the first one after it [s]
+  std::set<std::string> programs;        ///< that wrote any of them
+};
+
+/// The checkpoints of a run on the way of a longer one around t [s]. Warns of those that cannot be read.
+Around checkpoints_around(const fs::path& folder, double t, RunObserver& observer) {
   std::vector<fs::path> files{folder / store::checkpoint_name, folder / store::previous_checkpoint_name};
   std::error_code error;
   for (const fs::directory_entry& entry : fs::directory_iterator(folder / "checkpoints", error))
     if (entry.path().extension() == ".h5") files.push_back(entry.path());
-  std::optional<FoundCheckpoint> best;
+  Around around;
   for (const fs::path& file : files) {
     if (!fs::exists(file, error)) continue;
     try {
       FoundCheckpoint found = read_checkpoint_of(folder, file);
       const double at = found.checkpoint.state.t;
-      if (at <= t * (1.0 + 1e-12) && !is_shortened_end(found) && (!best || at > best->checkpoint.state.t))
-        best = std::move(found);
+      around.programs.insert(found.checkpoint.program);
+      if (is_shortened_end(found)) continue;
+      if (at > t * (1.0 + 1e-12))
+        around.after = std::min(at, around.after.value_or(at));
+      else if (!around.before || at > around.before->checkpoint.state.t)
+        around.before = std::move(found);
     } catch (const InputOutputError& trouble) { // an earlier one will do
       observer.warn(fmt::format("{}; it is not used", trouble.what()));
     }
   }
-  return best;
+  return around;
 }
 
 /// The start rules but for those on fields: a branch cannot change them, and its checkpoint holds their values, so that
@@ -65,17 +81,19 @@ std::span<const Rule> rules_without_fields() {
 
 /// What a branch goes on from.
 struct Origin {
-  double t;                             ///< asked for, or that of the last checkpoint [s]
-  std::string place;                    ///< what names t: that checkpoint or "--at"
-  std::optional<FoundCheckpoint> found; ///< none: the start
+  double t;          ///< asked for, or that of the last checkpoint [s]
+  std::string place; ///< what names t: that checkpoint or "--at"
+  Around around;     ///< checkpoints around t
 };
 
 Origin origin_of(const fs::path& folder, const BranchOptions& how, RunObserver& observer) {
-  if (how.at) return {.t = *how.at, .place = "--at", .found = checkpoint_before(folder, *how.at, observer)};
+  if (how.at) return {.t = *how.at, .place = "--at", .around = checkpoints_around(folder, *how.at, observer)};
   FoundCheckpoint last = last_checkpoint(folder, how.previous);
-  Origin origin{.t = last.checkpoint.state.t, .place = last.file.string(), .found = {}};
-  origin.found =
-      is_shortened_end(last) ? checkpoint_before(folder, origin.t, observer) : std::optional(std::move(last));
+  Origin origin{.t = last.checkpoint.state.t, .place = last.file.string(), .around = {}};
+  if (is_shortened_end(last))
+    origin.around = checkpoints_around(folder, origin.t, observer);
+  else
+    origin.around.before = std::move(last);
   return origin;
 }
 
@@ -122,6 +140,26 @@ double begin_of(const BranchOptions& how, const Origin& origin, const Parameters
                   wanted, after.run.duration));
 }
 
+/// A branch without a checkpoint before it computes the past of its run anew. Warns if another build computed that.
+/// @throws ConfigurationError if a program with another model did: the past would be another
+void require_own_past(const fs::path& from, const Json& record, const Origin& origin, RunObserver& observer) {
+  std::set<std::string> programs = origin.around.programs;
+  for (std::string& program : programs_of(record)) programs.insert(std::move(program));
+  programs.erase(version_line());
+  const std::string none = fmt::format("{} has no checkpoint at {} or before", from.string(), time_text(origin.t));
+  for (const std::string& program : programs)
+    if (const std::string model = model_text(version_of_program(program)); !model.empty())
+      refuse("--at",
+             fmt::format("{}, so that its past would be computed anew; {} computed it, and {}. {}", none, program,
+                         model,
+                         origin.around.after
+                             ? fmt::format("--at \"{:.6g} s\" or later begins from a checkpoint", *origin.around.after)
+                             : "No later checkpoint is left: only that version can make the branch"));
+  if (!programs.empty())
+    observer.warn(fmt::format("{}: its past, computed by {}, is computed anew by {}, and the bits may differ", none,
+                              fmt::join(programs, " and "), version_line()));
+}
+
 /// Whether a folder holds the same branch.
 bool holds_the_branch(const fs::path& folder, const Parameters& p, const Json& event) {
   const Json record = record_of(folder);
@@ -151,14 +189,14 @@ void require_free_for(const fs::path& folder, const Parameters& p, const Json& e
 
 RunOutcome branch(const fs::path& from, const BranchOptions& how, const RunOptions& options, RunObserver& observer) {
   const Parameters before = scenario_of(from, observer);
+  require_computable(before, from);
+  const Json record = record_of(from);
   const Origin origin = origin_of(from, how, observer);
-  const std::optional<FoundCheckpoint>& found = origin.found;
+  const std::optional<FoundCheckpoint>& found = origin.around.before;
   const Parameters after = apply_overrides(before, how.overrides, found ? rules_without_fields() : start_rules());
   if (auto faults = faults_of_change(before, after, "--set"); !faults.empty())
     throw ConfigurationError(std::move(faults));
   const double until = begin_of(how, origin, before, after);
-
-  const Json record = record_of(from);
   RunStart start;
   if (found) {
     warn_of_other_program(*found, observer);
@@ -166,9 +204,13 @@ RunOutcome branch(const fs::path& from, const BranchOptions& how, const RunOptio
     start.lineage.push_back(event("branched", *found));
   } else {
     start = {.s = initial_state(before), .p = before};
+    if (origin.t > 0.0) require_own_past(from, record, origin, observer);
     start.lineage = lineage_of(record);
-    start.lineage.push_back(
-        {{"event", "branched"}, {"checkpoint", nullptr}, {"by", version_line()}, {"when", time_now()}});
+    start.lineage.push_back({{"event", "branched"},
+                             {"checkpoint", nullptr},
+                             {"written_by", program_of(record)},
+                             {"by", version_line()},
+                             {"when", time_now()}});
   }
   start.scenario = scenario_name(record, from);
   start.commands = commands_of(record);

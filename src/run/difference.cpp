@@ -3,6 +3,7 @@
 #include "base/failure.hpp"
 #include "base/file.hpp"
 #include "observe/readout_table.hpp"
+#include "parameters/gone.hpp"
 #include "parameters/read.hpp"
 #include "parameters/schema.hpp"
 #include "run/run_record.hpp"
@@ -65,6 +66,7 @@ Json parameters_that_differ(const Side& a, const Side& b) {
   for (const Row& row : schema())
     if (const std::string left = value_text(row, a.p), right = value_text(row, b.p); left != right)
       list.push_back({row.path, left, right});
+  for (const auto& differs : gone_that_differ(a.p, b.p)) list.push_back(differs);
   if (const std::string left = cells_text(a.p), right = cells_text(b.p); left != right)
     list.push_back({"cells", left, right});
   return list;

@@ -75,6 +75,12 @@ std::vector<std::string> uneven_outputs(const Parameters& p);
 /// without a bias: a sentence; empty if it is not. Test: tests/apps/laws_test.cpp
 std::string fault_of_bias(const Parameters& p);
 
+/// That another model wrote a scenario, a sentence; empty if none did.
+std::string note_of_scenario(const Parameters& p);
+
+/// That fluid drags the body more than protrusions, a sentence; empty if it does not.
+std::string note_of_drag(const Parameters& p);
+
 /// What the estimate of the wall time rests on.
 std::string wall_time_basis();
 

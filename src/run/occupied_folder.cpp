@@ -2,6 +2,7 @@
 
 #include "base/failure.hpp"
 #include "base/time_text.hpp"
+#include "parameters/gone.hpp"
 #include "parameters/schema.hpp"
 #include "run/own_files.hpp"
 #include "run/stopped_run.hpp"
@@ -78,6 +79,8 @@ std::vector<std::string> differences(const Parameters& there, const Parameters& 
     if (before != now && row.path != "run.threads")
       all.push_back(fmt::format("{}: {} there, {} here", row.path, before, now));
   }
+  for (const auto& [path, before, now] : gone_that_differ(there, here))
+    all.push_back(fmt::format("{}: {} there, {} here", path, bare(before), bare(now)));
   if (cells_text(there) != cells_text(here))
     all.push_back(fmt::format("cells: {} there, {} here", bare(cells_text(there)), bare(cells_text(here))));
   return all;

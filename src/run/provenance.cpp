@@ -2,7 +2,7 @@
 
 #include "base/platform.hpp"
 #include "base/threads.hpp"
-#include "parameters/earlier.hpp"
+#include "parameters/version.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -32,7 +32,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 static_assert(this_version == build_info::version,
-              "the version stands in CMakeLists.txt and in parameters/earlier.hpp");
+              "the version stands in CMakeLists.txt and in parameters/version.hpp");
 
 std::string joined(int major, int minor, int patch) { return fmt::format("{}.{}.{}", major, minor, patch); }
 

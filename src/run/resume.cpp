@@ -24,6 +24,7 @@ RunOutcome done_before(const RunOptions& options, const Json& record, RunObserve
 
 RunOutcome resume_from(const FoundCheckpoint& found, const RunOptions& options, const Json& record,
                        std::optional<int> threads, RunObserver& observer) {
+  require_computable(found.p, options.folder);
   warn_of_other_program(found, observer);
   scenario_of(options.folder, observer); // says so if it cannot be read; it is written again
   RunStart start = start_from(found, record);

@@ -3,8 +3,10 @@
 #include "base/failure.hpp"
 #include "base/file.hpp"
 #include "base/time_text.hpp"
+#include "parameters/closures.hpp"
 #include "parameters/laws/laws.hpp"
 #include "parameters/schema.hpp"
+#include "parameters/version.hpp"
 #include "parameters/write.hpp"
 #include "run/provenance.hpp"
 #include "store/trajectory_hash.hpp"
@@ -14,6 +16,8 @@
 #include <fmt/chrono.h>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
+
+#include <algorithm>
 
 namespace matrigrate::run {
 
@@ -78,8 +82,8 @@ Json parse_record(std::string_view text) {
     if (record.contains(key) && !record.at(key).is_null() && !right)
       throw InputOutputError(fmt::format("{} is of type {}; {} is expected", key, record.at(key).type_name(), wanted));
   };
-  for (const char* key :
-       {"status", "reason", "cause", "trajectory_hash", "configuration_hash", "scenario", "start", "end"})
+  for (const char* key : {"status", "reason", "cause", "trajectory_hash", "configuration_hash", "scenario",
+                          "scenario_version", "start", "end"})
     require(key, value_of(record, key).is_string(), "a text");
   for (const char* key : {"t_s", "wall_time_s", "steps"}) require(key, value_of(record, key).is_number(), "a number");
   return record;
@@ -106,11 +110,30 @@ std::string text_of(const Json& record, const char* key) {
   return there ? record.at(key).get<std::string>() : std::string();
 }
 
+std::string program_of(const Json& record) {
+  const std::string version = text_of(record, "version");
+  if (version.empty()) return {};
+  const auto changed = record.find("git_dirty");
+  return fmt::format("matrigrate {} ({}{})", version, text_of(record, "git_hash").substr(0, 8),
+                     changed != record.end() && *changed == true ? ", changed sources" : "");
+}
+
 std::optional<RunStatus> status_of(const Json& record) { return parse_run_status(text_of(record, "status")); }
 
 std::vector<Json> lineage_of(const Json& record) {
   if (!record.is_object() || !record.contains("lineage") || !record.at("lineage").is_array()) return {};
   return record.at("lineage").get<std::vector<Json>>();
+}
+
+std::vector<std::string> programs_of(const Json& record) {
+  std::vector<std::string> programs;
+  const auto add = [&](std::string program) {
+    if (!program.empty() && std::ranges::find(programs, program) == programs.end())
+      programs.push_back(std::move(program));
+  };
+  for (const Json& one : lineage_of(record)) add(text_of(one, "written_by"));
+  add(program_of(record));
+  return programs;
 }
 
 std::string command_text(const std::vector<std::string>& words) {
@@ -201,6 +224,10 @@ std::vector<report::Fact> run_facts(const Parameters& p, const Json& record, con
   const auto add = [&](const char* name, const std::string& value) {
     if (!value.empty()) facts.push_back({name, value});
   };
+  if (const std::string version = text_of(record, "scenario_version"); !version.empty())
+    facts.push_back({"scenario written by", fmt::format("matrigrate {}; {}", version, model_text(version))});
+  facts.push_back({"closures", closures_text(closures_of(p))});
+  for (const auto& [path, value] : p.origin.gone) facts.push_back({path, value + ", a reading that has gone"});
   add("bias of initiation", bias_sentence(record));
   for (const Row* law : changed_laws(p)) {
     const std::string constants = constants_of(*law, p);
@@ -240,6 +267,8 @@ Json to_json(const RunRecord& record, const Parameters& p) {
              record.steps > 0 ? Json(1e3 * record.march_wall_time / static_cast<double>(record.steps)) : Json()},
             {"trajectory_hash", record.trajectory_hash},
             {"configuration_hash", record.configuration_hash},
+            {"closures", closures_text(closures_of(p))},
+            {"scenario_version", p.origin.version.empty() ? Json() : Json(p.origin.version)},
             {"laws", laws_json(p)},
             {"steps_without_bias", record.steps_without_bias},
             {"files", record.files},

@@ -68,6 +68,12 @@ nlohmann::ordered_json read_record(const std::filesystem::path& folder);
 /// A text of a record; empty where there is none.
 std::string text_of(const nlohmann::ordered_json& record, const char* key);
 
+/// The program that wrote a record, "matrigrate 0.3.0 (1234abcd)"; empty if it does not tell.
+std::string program_of(const nlohmann::ordered_json& record);
+
+/// All programs that computed the run of a record, as program_of() names them, oldest first.
+std::vector<std::string> programs_of(const nlohmann::ordered_json& record);
+
 /// How the run of a record stands; nothing if the record does not tell.
 std::optional<RunStatus> status_of(const nlohmann::ordered_json& record);
 
@@ -116,16 +122,18 @@ std::string bias_sentence(const nlohmann::ordered_json& record);
 /// The texts of the laws that are not the default ones, by their keys, and of the constants that they may name.
 nlohmann::ordered_json laws_json(const Parameters& p);
 
-/// What was run, when and how: scenario, stiffness, seed, changed laws, the commands that started it and its branches,
-/// date, wall time, trajectory hash.
+/// What was run, when and how: scenario, stiffness, seed, closures, changed laws, the commands that started it and its
+/// branches, date, wall time, trajectory hash.
 /// @param record  as in run.json
 std::vector<report::Fact> run_facts(const Parameters& p, const nlohmann::ordered_json& record,
                                     const std::string& scenario);
 
 /// {status, exit_code, reason, cause: to_string(FailureCause) or null, seed, steps, t_s, duration_s, wall_time_s,
 /// ms_per_step, trajectory_hash,
-///  configuration_hash, laws: laws_json(), steps_without_bias, files: {name: fingerprint}, frames_lost, frames_lost_s:
-///  [first, last] or null, command_line, scenario, commands, start, end, lineage, and the keys of provenance()}
+///  configuration_hash, closures: closures_text(), scenario_version: of the program that wrote the scenario, if its
+///  model is another, else null, laws: laws_json(), steps_without_bias, files: {name: fingerprint}, frames_lost,
+///  frames_lost_s: [first, last] or null, command_line, scenario, commands, start, end, lineage, and the keys of
+///  provenance()}
 nlohmann::ordered_json to_json(const RunRecord& record, const Parameters& p);
 
 } // namespace matrigrate::run

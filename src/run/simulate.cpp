@@ -4,6 +4,7 @@
 #include "base/platform.hpp"
 #include "base/threads.hpp"
 #include "base/time_text.hpp"
+#include "parameters/closures.hpp"
 #include "run/run_folder.hpp"
 #include "simulation/march.hpp"
 #include "simulation/simulation.hpp"
@@ -237,6 +238,7 @@ private:
 RunOutcome run(RunStart start, const RunOptions& options, RunObserver& observer) {
   const ThreadLimit limit(start.p.run.threads);
   observer.begin();
+  if (const std::string note = closures_note(closures_of(start.p)); !note.empty()) observer.warn(note);
   return Computation(std::move(start), options, observer).compute();
 }
 

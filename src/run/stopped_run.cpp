@@ -4,9 +4,10 @@
 #include "base/file.hpp"
 #include "base/time_text.hpp"
 #include "parameters/document.hpp"
+#include "parameters/gone.hpp"
 #include "parameters/read.hpp"
 #include "parameters/schema.hpp"
-#include "parameters/write.hpp"
+#include "parameters/version.hpp"
 #include "run/provenance.hpp"
 #include "simulation/march.hpp"
 #include "simulation/step_limits.hpp"
@@ -53,6 +54,12 @@ std::optional<Parameters> written_scenario(const fs::path& folder) {
   return std::nullopt;
 }
 
+/// What is said where the scenario of a folder is that of its checkpoint.
+std::string from_checkpoint(const fs::path& folder) {
+  return fmt::format("{}: missing, incomplete or not valid; the parameters are taken from the checkpoint",
+                     (folder / scenario_file).string());
+}
+
 /// Fingerprint of the scenario of a folder, by its file or else by run.json; empty if neither can be read.
 std::string expected_configuration(const fs::path& folder) {
   const std::string written = written_configuration(folder);
@@ -89,8 +96,7 @@ bool is_done(const fs::path& folder, const Json& record, RunObserver& observer) 
 Parameters scenario_of(const fs::path& folder, RunObserver& observer) {
   if (const std::optional<Parameters> p = written_scenario(folder)) return *p;
   Parameters p = whole_checkpoint(folder, observer).p;
-  observer.warn(fmt::format("{}: missing, incomplete or not valid; the parameters are taken from the checkpoint",
-                            (folder / scenario_file).string()));
+  observer.warn(from_checkpoint(folder));
   return p;
 }
 
@@ -102,7 +108,8 @@ std::string written_configuration(const fs::path& folder) {
 void restore_scenario(const fs::path& folder, RunObserver& observer) {
   if (written_scenario(folder) || !has_checkpoint(folder)) return;
   try {
-    write_file(folder / scenario_file, to_toml(scenario_of(folder, observer)));
+    write_file(folder / scenario_file, whole_checkpoint(folder, observer).checkpoint.scenario);
+    observer.warn(from_checkpoint(folder));
   } catch (const InputOutputError& trouble) { // the results of the run are whole all the same
     observer.warn(trouble.what());
   }
@@ -211,6 +218,7 @@ bool has_only_broken_checkpoints(const fs::path& folder) {
 RunStart start_from(const FoundCheckpoint& found, const Json& record) {
   RunStart start{
       .s = found.checkpoint.state, .p = found.p, .memory = found.memory, .before = {}, .lineage = lineage_of(record)};
+  start.p.origin.version = text_of(record, "scenario_version");
   if (record.is_object()) {
     start.scenario = scenario_name(record, found.file.parent_path());
     start.commands = commands_of(record);
@@ -235,8 +243,15 @@ Json event(std::string_view kind, const FoundCheckpoint& found) {
 
 void warn_of_other_program(const FoundCheckpoint& found, RunObserver& observer) {
   if (found.checkpoint.program == version_line()) return;
-  observer.warn(fmt::format("{} was written by {}; this is {}. From here on the bits may differ", found.file.string(),
-                            found.checkpoint.program, version_line()));
+  const std::string model = model_text(version_of_program(found.checkpoint.program));
+  observer.warn(fmt::format("{} was written by {}; this is {}. From {} on {}", found.file.string(),
+                            found.checkpoint.program, version_line(), time_text(found.checkpoint.state.t),
+                            model.empty() ? "the bits may differ" : "another model computes: " + model));
+}
+
+void require_computable(const Parameters& p, const fs::path& folder) {
+  if (std::vector<Fault> faults = faults_of_gone(p, folder.string()); !faults.empty())
+    throw ConfigurationError(std::move(faults));
 }
 
 } // namespace matrigrate::run

@@ -74,7 +74,10 @@ nlohmann::ordered_json event(std::string_view kind, const FoundCheckpoint& found
 /// The time of day, for the lineage.
 std::string time_now();
 
-/// Warns if another version of the program wrote the checkpoint.
+/// Warns if another version of the program wrote the checkpoint: that bits may differ, or that its model is another.
 void warn_of_other_program(const FoundCheckpoint& found, RunObserver& observer);
+
+/// @throws ConfigurationError if the run in a folder has readings that this program does not compute (Origin::gone)
+void require_computable(const Parameters& p, const std::filesystem::path& folder);
 
 } // namespace matrigrate::run

@@ -1,11 +1,13 @@
-#include "parameters/earlier.hpp"
+#include "parameters/version.hpp"
 #include "program.hpp"
+#include "store/checkpoint.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <map>
+#include <utility>
 #include <vector>
 
 /// What other versions of the program have computed is found, gone on with, and never lost.
@@ -83,15 +85,204 @@ TEST_F(OtherVersion, AStudyOfVersion020IsKnown) {
   EXPECT_EQ(names("old").size(), 2U);
 }
 
-/// Nor are results of readings that have gone taken for others.
-TEST_F(OtherVersion, AStudyOfAReadingThatHasGoneIsRefused) {
+/// What was made is read; nothing more is made of a reading that has gone, nor is one taken for another.
+TEST_F(OtherVersion, AStudyOfAReadingThatHasGoneIsReadButNotComputed) {
   fs::copy(fs::path(MATRIGRATE_SOURCE_DIR) / "tests/apps/written_by_0.2.0", folder / "old",
            fs::copy_options::recursive);
-  change("old/scenario.resolved.toml", "\nhold = \"matter\"\n", "\nhold = \"place\"\n");
-  const Ended refused = run("study collect old");
+  const std::string held = file("old/scenario.resolved.toml");
+  for (const char* scenario : {"old/scenario.resolved.toml", "old/runs/54d260625a6d7c23/scenario.resolved.toml",
+                               "old/runs/efc7f10c11a93980/scenario.resolved.toml"})
+    change(scenario, "\nhold = \"matter\"\n", "\nhold = \"place\"\n");
+  const std::string of_place = file("old/scenario.resolved.toml");
+  EXPECT_TRUE(contains(run("study status old").out, "2 runs: 2 done"));
+  const Ended collected = run("study collect old");
+  EXPECT_EQ(collected.code, 0) << collected.err;
+  EXPECT_TRUE(contains(collected.out, "2 of 2 runs done"));
+  const Ended refused = run("study run old/study.resolved.toml");
   EXPECT_EQ(refused.code, 3);
   EXPECT_TRUE(contains(refused.err, "adhesion.hold: \"place\" has gone: an adhesion holds the matter")) << refused.err;
   EXPECT_TRUE(contains(refused.err, "the version of the tag closures-2")) << refused.err;
+  write("matter.toml", held);
+  write("own.toml", "scenario = \"matter.toml\"\nreplicates = 2\nseed = 1\n");
+  const Ended other = run("study run own.toml -o old");
+  EXPECT_EQ(other.code, 5) << other.out;
+  EXPECT_TRUE(contains(other.err, "adhesion.hold: place there, matter here")) << other.err;
+  EXPECT_EQ(file("old/scenario.resolved.toml"), of_place);
+}
+
+TEST_F(OtherVersion, AStudyThatAddsNothingKeepsTheFilesOfWhoeverWroteThem) {
+  fs::copy(fs::path(MATRIGRATE_SOURCE_DIR) / "tests/apps/written_by_0.2.0", folder / "old",
+           fs::copy_options::recursive);
+  const std::string scenario = file("old/scenario.resolved.toml");
+  const std::string study = file("old/study.resolved.toml");
+  const Ended again = run("study run old/study.resolved.toml -o old --jobs 1");
+  EXPECT_EQ(again.code, 0) << again.err;
+  EXPECT_TRUE(contains(again.err, "was written by matrigrate 0.2.0")) << again.err;
+  EXPECT_EQ(file("old/scenario.resolved.toml"), scenario);
+  EXPECT_EQ(file("old/study.resolved.toml"), study);
+}
+
+TEST_F(OtherVersion, AMixedStudySaysSoWhereItsStatusIsAsked) {
+  fs::copy(fs::path(MATRIGRATE_SOURCE_DIR) / "tests/apps/written_by_0.2.0", folder / "old",
+           fs::copy_options::recursive);
+  EXPECT_FALSE(contains(run("study status old").out, "builds of matrigrate"));
+  fs::remove_all(folder / "old/runs/54d260625a6d7c23");
+  ASSERT_EQ(run("study run old/study.resolved.toml --jobs 1").code, 0);
+  const Ended status = run("study status old");
+  EXPECT_TRUE(contains(status.out, "2 runs: 2 done")) << status.out;
+  EXPECT_TRUE(contains(status.out, "made by 2 builds of matrigrate: 0.2.0 (")) << status.out;
+  EXPECT_TRUE(contains(status.out, "They do not belong together: the model has changed since 0.2.0")) << status.out;
+  EXPECT_EQ(json::parse(run("study status old --json").out).at("builds").size(), 2U);
+}
+
+/// A run that version 0.2.0 is said to have made, whose checkpoints come every 24 s and are kept each minute.
+class RunOfVersion020 : public OtherVersion {
+protected:
+  void SetUp() override {
+    OtherVersion::SetUp();
+    write("r.toml", "[ecm]\nradius = \"40 um\"\n[run]\nduration = \"96 s\"\n[output]\ntrack_interval = \"12 s\"\n"
+                    "checkpoint_interval = \"24 s\"\nkept_checkpoint_interval = \"60 s\"\npictures = false\n");
+    ASSERT_EQ(run("run r.toml -o old --quiet").code, 0);
+  }
+
+  /// A scenario as version 0.2.0 wrote it.
+  /// @param setting  further lines of section [adhesion] ... as "section", "line"; none: empty
+  static std::string of_version_020(std::string text, const std::string& section, const std::string& line) {
+    const auto replace = [&text](const std::string& from, const std::string& to) {
+      const std::size_t at = text.find(from);
+      ASSERT_NE(at, std::string::npos) << from;
+      text.replace(at, from.size(), to);
+    };
+    replace(fmt::format("version = \"{}\"\n", this_version), "");
+    for (const char* law : {"curvature_factor", "initiation_bias"}) {
+      const std::size_t at = text.find(std::string("\n") + law + " = ");
+      text.erase(at, text.find('\n', at + 1) - at);
+    }
+    if (!section.empty()) replace("\n[" + section + "]\n", "\n[" + section + "]\n" + line + "\n");
+    for (const auto& [name, left] :
+         {std::pair("cell", "centre_of_mass = \"particles\""), {"adhesion", "hold = \"matter\""}})
+      if (line.find(std::string(left).substr(0, 6)) == std::string::npos)
+        replace(fmt::format("\n[{}]\n", name), fmt::format("\n[{}]\n{}\n", name, left));
+    return text;
+  }
+
+  void make_old(const std::string& section = "", const std::string& line = "") const {
+    std::vector<fs::path> checkpoints{"checkpoint.h5", "checkpoint_prev.h5"};
+    for (const auto& entry : fs::directory_iterator(folder / "old/checkpoints"))
+      checkpoints.push_back("checkpoints" / entry.path().filename());
+    for (const fs::path& name : checkpoints) {
+      store::Checkpoint checkpoint = store::read_checkpoint(folder / "old" / name);
+      checkpoint.program = "matrigrate 0.2.0 (9a32bbbb)";
+      checkpoint.scenario = of_version_020(checkpoint.scenario, section, line);
+      checkpoint.configuration_hash = other_name;
+      std::ofstream(folder / "old" / name, std::ios::binary) << store::checkpoint_image(checkpoint);
+    }
+    write("old/scenario.resolved.toml", of_version_020(file("old/scenario.resolved.toml"), section, line));
+    json record = json::parse(file("old/run.json"));
+    record["version"] = "0.2.0";
+    record["git_hash"] = "9a32bbbb";
+    record["git_dirty"] = false;
+    record["configuration_hash"] = other_name;
+    for (const char* key : {"closures", "scenario_version"}) record.erase(key);
+    write("old/run.json", record.dump());
+  }
+
+  std::string tracks(const std::string& of) const { return file(of + "/tracks.csv"); }
+};
+
+TEST_F(RunOfVersion020, ABranchThatWouldComputeItsPastAnewIsRefused) {
+  make_old();
+  const Ended early = run("resume old --at '30 s' --set ecm.youngs_modulus='50 Pa' -o early");
+  EXPECT_EQ(early.code, 3) << early.err;
+  EXPECT_TRUE(contains(early.err, "--at: old has no checkpoint at 30 s or before")) << early.err;
+  EXPECT_TRUE(contains(early.err, "matrigrate 0.2.0 (9a32bbbb) computed it, and the model has changed since 0.2.0"))
+      << early.err;
+  EXPECT_TRUE(contains(early.err, "--at \"60 s\" or later begins from a checkpoint")) << early.err;
+  EXPECT_FALSE(fs::exists(folder / "early"));
+  const Ended later = run("resume old --at '60 s' --set ecm.youngs_modulus='50 Pa' -o later --quiet");
+  EXPECT_EQ(later.code, 0) << later.err;
+  EXPECT_TRUE(contains(later.err, "From 1 min on another model computes: the model has changed since 0.2.0"))
+      << later.err;
+  EXPECT_EQ(json::parse(file("later/run.json")).at("scenario_version"), "0.2.0");
+}
+
+/// By the records of those who computed it, however it was named since.
+TEST_F(RunOfVersion020, APastOfAnotherModelIsKnownAfterItWasResumed) {
+  make_old();
+  json record = json::parse(file("old/run.json"));
+  record["lineage"] = {{{"event", "resumed"}, {"written_by", "matrigrate 0.2.0 (9a32bbbb)"}, {"t_s", 60.0}}};
+  record["version"] = this_version;
+  write("old/run.json", record.dump());
+  for (const char* name : {"old/checkpoint.h5", "old/checkpoint_prev.h5", "old/checkpoints"})
+    fs::remove_all(folder / name);
+  const Ended refused = run("resume old --at '30 s' --seed 2 -o early");
+  EXPECT_EQ(refused.code, 3) << refused.err;
+  EXPECT_TRUE(contains(refused.err, "No later checkpoint is left")) << refused.err;
+}
+
+TEST_F(RunOfVersion020, ABranchOfAnotherBuildSaysThatItsPastIsComputedAnew) {
+  json record = json::parse(file("old/run.json"));
+  record["git_hash"] = "ffffffff";
+  write("old/run.json", record.dump());
+  const Ended ended = run("resume old --at '30 s' --seed 2 -o early --quiet");
+  EXPECT_EQ(ended.code, 0) << ended.err;
+  EXPECT_TRUE(contains(ended.err, "its past, computed by matrigrate")) << ended.err;
+  const json lineage = json::parse(file("early/run.json")).at("lineage").back();
+  EXPECT_TRUE(lineage.at("checkpoint").is_null());
+  EXPECT_TRUE(contains(lineage.at("written_by"), "(ffffffff"));
+  ASSERT_EQ(run("run r.toml -o own --quiet").code, 0);
+  EXPECT_EQ(run("resume own --at '30 s' --seed 2 -o own-early --quiet").err, "") << "of this build nothing is said";
+}
+
+TEST_F(RunOfVersion020, ItsScenarioSaysThatTheModelIsAnother) {
+  make_old();
+  const std::string note = "was written by matrigrate 0.2.0, of whose runs this program repeats no bits: the model has "
+                           "changed since 0.2.0";
+  EXPECT_TRUE(contains(run("check old/scenario.resolved.toml").out, note));
+  EXPECT_TRUE(contains(run("explain old/scenario.resolved.toml").out, note));
+  EXPECT_TRUE(contains(run("run old/scenario.resolved.toml -o again --quiet").err, note));
+  const json record = json::parse(file("again/run.json"));
+  EXPECT_EQ(record.at("scenario_version"), "0.2.0");
+  EXPECT_TRUE(contains(file("again/report.html"), "scenario written by"));
+  EXPECT_TRUE(json::parse(file("old/run.json")).find("scenario_version") == json::parse(file("old/run.json")).end());
+  ASSERT_EQ(run("run r.toml -o own --quiet").code, 0);
+  EXPECT_TRUE(json::parse(file("own/run.json")).at("scenario_version").is_null());
+}
+
+TEST_F(RunOfVersion020, ItIsShownWhateverReadingsItHas) {
+  const std::string own_tracks = tracks("old");
+  for (const auto& [section, line] : {std::pair("adhesion", "hold = \"place\""),
+                                      {"cell", "centre_of_mass = \"area\""},
+                                      {"polarization", "turning = \"constant\""},
+                                      {"ecm", "formulation = \"updated_lagrangian\""},
+                                      {"fibres", "plane_to_space = true"}}) {
+    fs::remove_all(folder / "old");
+    ASSERT_EQ(run("run r.toml -o old --quiet").code, 0);
+    make_old(section, line);
+    EXPECT_EQ(run("report old").code, 0) << line << run("report old").err;
+    EXPECT_TRUE(contains(file("old/report.html"), "a reading that has gone")) << line;
+    EXPECT_EQ(run("export old --tracks").code, 0) << line;
+    EXPECT_EQ(run("diff old old").code, 0) << line;
+    EXPECT_TRUE(contains(run("resume old").out, "done already")) << line;
+    for (const char* compute : {"resume old --hours 1 -o longer", "run old/scenario.resolved.toml -o new",
+                                "check old/scenario.resolved.toml", "explain old/scenario.resolved.toml"}) {
+      const Ended refused = run(compute);
+      EXPECT_EQ(refused.code, 3) << compute << refused.err;
+      EXPECT_TRUE(contains(refused.err, "has gone: ")) << refused.err;
+    }
+    EXPECT_FALSE(fs::exists(folder / "longer") || fs::exists(folder / "new"));
+    EXPECT_EQ(tracks("old"), own_tracks);
+  }
+}
+
+TEST_F(RunOfVersion020, WhatALawSaysNowGoesOn) {
+  make_old("actomyosin", "curvature_profile = \"triangle\"");
+  EXPECT_EQ(run("report old").code, 0);
+  EXPECT_TRUE(contains(file("old/report.html"), "max(0, 1 - abs(kappa - kappa_0)/kappa_w)"));
+  const Ended longer = run("resume old --hours 0.04 -o longer --quiet");
+  EXPECT_EQ(longer.code, 0) << longer.err;
+  EXPECT_TRUE(contains(file("longer/scenario.resolved.toml"),
+                       "curvature_factor = \"max(0, 1 - abs(kappa - kappa_0)/kappa_w)\""));
 }
 
 TEST_F(OtherVersion, RunsOfSeveralBuildsAreTold) {

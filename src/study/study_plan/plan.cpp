@@ -39,7 +39,10 @@ std::vector<Run> planned_runs(const Study& study, const Fingerprint& fingerprint
   runs.reserve(study.runs());
   for (std::size_t replicate = 1; replicate <= study.replicates; ++replicate)
     for (std::size_t i = 0; i < study.points.size(); ++i) {
-      const auto settings = study.common_random_numbers ? std::vector<Setting>() : study.points[i].settings;
+      const Point& point = study.points[i];
+      const auto settings = study.common_random_numbers ? std::vector<Setting>()
+                            : point.seeded_by.empty()   ? point.settings
+                                                        : point.seeded_by;
       Run run{i, replicate, run_seed(study.seed, settings, replicate), {}};
       run.hash = fingerprint(parameters_of(study, run));
       runs.push_back(std::move(run));

@@ -2,12 +2,14 @@
 
 #include "fields/grids.hpp"
 #include "parameters/document.hpp"
+#include "parameters/gone.hpp"
 #include "parameters/nearest.hpp"
 #include "parameters/node.hpp"
 #include "parameters/presets.hpp"
 #include "parameters/read.hpp"
 #include "parameters/scan.hpp"
 #include "study_plan/conditions.hpp"
+#include "study_plan/earlier_points.hpp"
 #include "study_plan/read_comparisons.hpp"
 #include "study_plan/sweep.hpp"
 
@@ -71,6 +73,7 @@ public:
       m_faults.raise();
     }
     m_table = std::move(std::get<toml::table>(document));
+    if (is_written_out(text)) m_gone = follow_gone(m_table, scenario_table());
     refuse_scenario();
     check_keys();
     read_head();
@@ -87,6 +90,39 @@ public:
 
 private:
   const toml::node* get(std::string_view key) const { return m_table.get(key); }
+
+  /// The scenario of the study as its file has it; empty if it cannot be read, which is told later.
+  toml::table scenario_table() const {
+    const auto name = m_table["scenario"].value<std::string>();
+    if (!name) return {};
+    try {
+      auto document = parse_document(read_document(m_folder / *name, largest_file), *name);
+      if (auto* table = std::get_if<toml::table>(&document)) return std::move(*table);
+    } catch (const InputOutputError&) {
+    }
+    return {};
+  }
+
+  /// What points of an earlier version say by parameters that have gone: readings are kept for who reads what was made,
+  /// and the seeds follow from what stood there.
+  void take_gone(std::vector<Draft>& drafts) {
+    for (Draft& draft : drafts) {
+      const auto found = m_gone.find({draft.place.line, draft.place.column});
+      if (found == m_gone.end()) continue;
+      Point& point = draft.point;
+      point.seeded_by = point.settings;
+      for (const auto& [path, value] : found->second) {
+        const Gone& parameter = *find_gone(path);
+        std::erase_if(point.seeded_by, [&](const Setting& s) { return s.key == parameter.law; });
+        point.seeded_by.push_back({path, value});
+        if (!parameter.law.empty() || parameter.is_drawing) continue;
+        point.parameters.origin.gone.erase(path);
+        if (value == parameter.left) continue;
+        point.parameters.origin.gone.emplace(path, value);
+        if (!m_changes.more.empty()) m_faults.add(draft.place, path, gone_text(value, parameter));
+      }
+    }
+  }
 
   /// The table of that name; null, and a fault if something else stands there.
   const toml::table* section(std::string_view key) {
@@ -203,6 +239,7 @@ private:
       throw InputOutputError(
           to_string(Fault{m_faults.file(), place_of(node).line, place_of(node).column, "scenario", error.what()}));
     }
+    if (!m_changes.more.empty()) m_faults.add(faults_of_gone(m_study.base, (m_folder / file).string()));
   }
 
   void read_preset(const toml::node& node) {
@@ -231,6 +268,7 @@ private:
     check_overlaps(m_table, conditions, m_faults);
     for (const Draft& draft : sets) m_study.sets.push_back({draft.point.label, draft.point.settings});
     std::vector<Draft> points = crossed(std::move(sets), conditions);
+    take_gone(points);
     check_points(points);
     for (Draft& draft : points) m_study.points.push_back(std::move(draft.point));
   }
@@ -258,6 +296,7 @@ private:
     std::vector<std::pair<std::string, std::string>> seen; // settings and labels
     for (const Draft& draft : drafts) {
       std::string settings = sorted_text(draft.point.settings);
+      for (const auto& [path, value] : draft.point.parameters.origin.gone) settings += path + " = " + value + "\n";
       seen.emplace_back(std::move(settings), draft.point.label);
       auto places = draft.settings;
       places.insert(places.end(), m_fixed.begin(), m_fixed.end());
@@ -311,6 +350,7 @@ private:
   std::filesystem::path m_folder;
   Changes m_changes;
   toml::table m_table;
+  GoneValues m_gone;
   Study m_study;
   std::vector<std::pair<std::string, Place>> m_fixed; ///< parameters of [set]
 };

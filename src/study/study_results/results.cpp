@@ -4,6 +4,7 @@
 #include "base/file.hpp"
 #include "observe/readout_table.hpp"
 #include "parameters/schema.hpp"
+#include "parameters/version.hpp"
 #include "run/readouts_of_tables.hpp"
 #include "run/run_record.hpp"
 #include "run/stopped_run.hpp"
@@ -188,9 +189,8 @@ Standing standing(const std::filesystem::path& study_folder, const Run& run) {
   s.cause = parse_failure_cause(value_or(record, "cause", std::string()));
   s.trajectory_hash = value_or(record, "trajectory_hash", std::string());
   s.end = value_or(record, "end", std::string());
-  if (const std::string version = value_or(record, "version", std::string()); !version.empty())
-    s.program = fmt::format("{} ({}{})", version, value_or(record, "git_hash", std::string()).substr(0, 8),
-                            value_or(record, "git_dirty", false) ? ", changed sources" : "");
+  for (const std::string& program : run::programs_of(record))
+    s.programs.push_back(program.substr(program.find(' ') + 1));
   s.wall_time = value_or(record, "wall_time_s", 0.0);
   if (s.done() && !run::has_summary(file.parent_path())) {
     s.status = RunState::unfinished;
@@ -231,17 +231,24 @@ std::vector<std::size_t> lost_at_rim(const Study& study, const std::vector<Resul
 std::vector<std::string> programs_of(const std::vector<Result>& results) {
   std::set<std::string> programs;
   for (const Result& r : results)
-    if (r.standing.done() && !r.standing.program.empty()) programs.insert(r.standing.program);
+    if (r.standing.done()) programs.insert(r.standing.programs.begin(), r.standing.programs.end());
   return {programs.begin(), programs.end()};
 }
 
 std::string programs_text(const std::vector<Result>& results) {
   const std::vector<std::string> programs = programs_of(results);
   if (programs.size() < 2) return {};
-  return fmt::format(
-      "these runs were made by {} builds of matrigrate: {}. If the model changed between them, which the "
-      "changelog says, they do not belong together: run the study anew into another folder (-o).",
-      programs.size(), fmt::join(programs, ", "));
+  std::vector<std::string> models; // other than this program's
+  for (const std::string& program : programs)
+    if (const std::string model = model_text(version_of_program("matrigrate " + program)); !model.empty())
+      models.push_back(model);
+  const bool all_other = models.size() == programs.size();
+  return fmt::format("these runs were made by {} builds of matrigrate: {}. {}: run the study anew into another folder "
+                     "(-o).",
+                     programs.size(), fmt::join(programs, ", "),
+                     models.empty() || all_other
+                         ? "If the model changed between them, which the changelog says, they do not belong together"
+                         : fmt::format("They do not belong together: {}", fmt::join(models, "; ")));
 }
 
 std::string rim_text(const Study& study, const std::vector<Result>& results) {

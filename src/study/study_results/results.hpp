@@ -33,9 +33,9 @@ struct Standing {
   std::string reason;                ///< why it is not done
   std::optional<FailureCause> cause; ///< of a numerical failure; none in records of version 0.1.0
   std::string trajectory_hash;
-  std::string program;    ///< that computed it: "0.1.0 (1234abcd)"
-  std::string end;        ///< when it ended: "2026-01-31T12:00:00Z"; empty while it has not
-  double wall_time = 0.0; ///< [s]
+  std::vector<std::string> programs; ///< that computed it, oldest first: "0.1.0 (1234abcd)"
+  std::string end;                   ///< when it ended: "2026-01-31T12:00:00Z"; empty while it has not
+  double wall_time = 0.0;            ///< [s]
 
   bool done() const { return status == RunState::done; }
   /// True if the run would fail again: a numerical failure is the same on every machine. A run without a recorded
@@ -68,7 +68,8 @@ inline constexpr double larger_disc = 1.5;
 /// ...": what that means, and what to do; empty if none did.
 std::string rim_text(const Study& study, const std::vector<Result>& results);
 
-/// The builds of the program that made the runs that are done, "0.2.0 (9a32bbbb)", in alphabetical order.
+/// The builds of the program that made the runs that are done, or parts of them, "0.2.0 (9a32bbbb)", in alphabetical
+/// order.
 std::vector<std::string> programs_of(const std::vector<Result>& results);
 
 /// That runs of several builds are compared, and what it means; empty if one build made all.

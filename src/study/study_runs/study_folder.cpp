@@ -3,6 +3,8 @@
 #include "base/failure.hpp"
 #include "base/file.hpp"
 #include "base/platform.hpp"
+#include "parameters/read.hpp"
+#include "parameters/schema.hpp"
 #include "parameters/write.hpp"
 #include "run/occupied_folder.hpp"
 #include "run/run_record.hpp"
@@ -38,6 +40,33 @@ std::string base_text(const StudyFolder& study) { return to_toml(neutral(study.s
 
 bool is_text(const fs::path& file, const std::string& text) {
   return fs::exists(file) && read_file(file, largest_file) == text;
+}
+
+/// Whether the scenario in a folder means the base of the study, in whatever version's words: it is the record of who
+/// wrote it, and stays.
+bool holds_base(const StudyFolder& study) {
+  const fs::path file = study.folder / scenario_file;
+  std::error_code error;
+  if (!fs::is_regular_file(file, error)) return false;
+  try {
+    return same(neutral(read_parameters(file)), neutral(study.study.base));
+  } catch (const ConfigurationError&) { // was damaged
+    return false;
+  }
+}
+
+/// The same of the study and its points.
+bool holds_points(const StudyFolder& study) {
+  const fs::path file = study.folder / study_file;
+  const std::string text = to_toml(study.study, scenario_file);
+  if (is_text(file, text)) return true;
+  std::error_code error;
+  if (!fs::is_regular_file(file, error)) return false;
+  try {
+    return to_toml(read_study(file), scenario_file) == text;
+  } catch (const ConfigurationError&) { // was changed
+    return false;
+  }
 }
 
 void write_if_new(const fs::path& file, const std::string& text) {
@@ -84,9 +113,7 @@ std::vector<std::string> differences(const StudyFolder& there, const StudyFolder
 
 /// @throws InputOutputError if the folder holds a study and neither extends the other
 void require_same_study(const StudyFolder& study) {
-  if (is_text(study.folder / study_file, to_toml(study.study, scenario_file))
-      && is_text(study.folder / scenario_file, base_text(study)))
-    return;
+  if (holds_points(study) && holds_base(study)) return;
   const std::string other = "\n-o FOLDER computes this study somewhere else";
   try {
     const StudyFolder there = open_study(study.folder);
@@ -181,8 +208,7 @@ void require_own_folder(const StudyFolder& study) {
                                        "with -o",
                                        folder.string(), run::listed(there, ", ")));
   if (holds(study_file)) return require_same_study(study);
-  if (holds(scenario_file) && is_text(folder / scenario_file, base_text(study))) // killed before the next file
-    std::erase(there, scenario_file);
+  if (holds_base(study)) std::erase(there, scenario_file); // killed before the next file
   const auto sets = measured_sets(study.study);
   for (std::size_t k = 0; k < sets.size(); ++k)
     if (is_text(folder / measured_file(k), tracks::measured_csv(*sets[k]))) std::erase(there, measured_file(k));
@@ -200,11 +226,11 @@ void make_study_folder(const StudyFolder& study) {
 
 void write_study(const StudyFolder& study) {
   require_own_folder(study);
-  write_if_new(study.folder / scenario_file, base_text(study));
+  if (!holds_base(study)) write_file(study.folder / scenario_file, base_text(study));
   const auto sets = measured_sets(study.study);
   for (std::size_t k = 0; k < sets.size(); ++k)
     write_if_new(study.folder / measured_file(k), tracks::measured_csv(*sets[k]));
-  write_if_new(study.folder / study_file, to_toml(study.study, scenario_file));
+  if (!holds_points(study)) write_file(study.folder / study_file, to_toml(study.study, scenario_file));
 }
 
 StudyFolder open_study(const std::filesystem::path& folder) {

@@ -1,7 +1,8 @@
-#include "parameters/earlier.hpp"
+#include "parameters/version.hpp"
 
 #include "parameters/gone.hpp"
 #include "parameters/read.hpp"
+#include "parameters/rules.hpp"
 #include "parameters/schema.hpp"
 #include "parameters/write.hpp"
 
@@ -9,6 +10,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <functional>
+#include <map>
 #include <string>
 
 namespace matrigrate {
@@ -121,8 +124,7 @@ TEST(Earlier, AParameterThatHasGoneMayHaveTheValueThatIsLeft) {
   for (const Gone& parameter : gone()) {
     EXPECT_EQ(find_row(parameter.path), nullptr) << parameter.path;
     const bool counted = !parameter.behind.empty();
-    EXPECT_EQ(counted, find_row(parameter.behind) != nullptr || find_gone(parameter.behind) != nullptr)
-        << parameter.behind;
+    EXPECT_EQ(counted, find_row(parameter.behind) != nullptr) << parameter.behind;
     const std::string line = fmt::format("\n{} = {}\n", parameter.path, parameter.left);
     EXPECT_EQ(values_text({}).find(line) != std::string::npos, counted) << "the fingerprint of earlier runs holds it";
     Parameters meant; // the law that the profile names is no longer the default
@@ -136,7 +138,7 @@ TEST(Earlier, AParameterThatHasGoneMayHaveTheValueThatIsLeft) {
 
 TEST(Earlier, AnotherValueOfAParameterThatHasGoneIsRefusedWithWhatBecameOfIt) {
   for (const Gone& parameter : gone()) {
-    if (parameter.is_law || parameter.is_drawing) continue;
+    if (!parameter.law.empty() || parameter.is_drawing) continue;
     const std::string fault = fault_in(file_with(parameter.path, "\"else\""));
     EXPECT_EQ(fault,
               fmt::format("f.toml:2:{}: {}: \"else\" has gone: {}; the version of the tag closures-2 has the "
@@ -170,13 +172,80 @@ TEST(Earlier, AnyValueOfADrawingThatHasGoneIsReadAndDecidesNothing) {
       }
 }
 
+/// The faults of a file for who computes.
+std::string fault_of_computing(const std::string& text) {
+  try {
+    parse_parameters(text, "f.toml", {}, rules());
+  } catch (const ConfigurationError& error) {
+    return error.what();
+  }
+  return {};
+}
+
 /// Those that came before the key `version`, of the first closures.
-TEST(Earlier, AResolvedFileThatMeansAReadingThatHasGoneIsRefused) {
-  const std::string fault = fault_in(std::string(resolved_head) + "[cell]\ncentre_of_mass = \"particles\"\n");
-  EXPECT_NE(fault.find("adhesion.hold: is not there, which means \"place\"; \"place\" has gone: an adhesion"),
-            std::string::npos)
-      << fault;
-  EXPECT_EQ(fault.find("centre_of_mass"), std::string::npos) << fault;
+TEST(Earlier, AResolvedFileThatMeansAReadingThatHasGoneIsReadButNotComputed) {
+  const std::string text = std::string(resolved_head) + "[cell]\ncentre_of_mass = \"particles\"\n";
+  const Parameters p = parse_parameters(text, "f.toml");
+  EXPECT_EQ(p.origin.gone, (std::map<std::string, std::string, std::less<>>{{"adhesion.hold", "\"place\""}}));
+  EXPECT_EQ(p.origin.version, "0.2.0");
+  EXPECT_EQ(
+      fault_of_computing(text),
+      "f.toml: adhesion.hold: \"place\" has gone: an adhesion holds the matter that was there when it formed; the "
+      "version of the tag closures-2 has the other readings");
+}
+
+TEST(Earlier, EveryReadingThatHasGoneIsKeptAsItStandsAndDecidesOnTheName) {
+  for (const Gone& parameter : gone()) {
+    if (!parameter.law.empty() || parameter.is_drawing) continue;
+    const std::string text = "version = \"0.2.5\"\n" + file_with(parameter.path, "\"else\"");
+    const Parameters p = parse_parameters(text, "f.toml");
+    EXPECT_EQ(p.origin.gone.at(std::string(parameter.path)), "\"else\"");
+    EXPECT_NE(values_text(p).find(fmt::format("\n{} = \"else\"\n", parameter.path)), std::string::npos);
+    const Parameters left = parse_parameters("version = \"0.2.5\"\n" + file_with(parameter.path, parameter.left), "");
+    EXPECT_TRUE(left.origin.gone.empty());
+    EXPECT_FALSE(same(p, left)) << parameter.path;
+    EXPECT_EQ(fault_of_computing(text).find(fmt::format("f.toml:3:{}: {}: \"else\" has gone",
+                                                        parameter.path.size() - parameter.path.rfind('.') + 3,
+                                                        parameter.path)),
+              0U)
+        << fault_of_computing(text);
+  }
+}
+
+TEST(Earlier, WhatALawSaysNowIsReadAsTheLawInAFileThatAProgramWrote) {
+  const auto read = [](const std::string& text) {
+    return parse_parameters("version = \"0.2.5\"\n" + text, "", {}, rules());
+  };
+  const auto profile = [&](const std::string& name) {
+    return read("[actomyosin]\ncurvature_profile = \"" + name + "\"\n").laws.curvature_factor;
+  };
+  EXPECT_EQ(profile("triangle"), "max(0, 1 - abs(kappa - kappa_0)/kappa_w)");
+  EXPECT_EQ(profile("gaussian"), "exp(-((kappa - kappa_0)/kappa_w)^2)");
+  EXPECT_EQ(profile("half_gaussian"), *find_row("laws.curvature_factor")->before);
+  const auto bias = [&](const std::string& cues) { return read("[cues]\n" + cues).laws.initiation_bias; };
+  EXPECT_EQ(bias("chemotaxis = 20\nhaptotaxis = 0\n"), "exp(20*occupancy)");
+  EXPECT_EQ(bias("chemotaxis = 2.5\nhaptotaxis = -4\nguidance = 1\n"),
+            "exp(2.5*occupancy)*exp(-4*ligand)*exp(1*alignment)");
+  EXPECT_EQ(bias("chemotaxis = 0\n"), "1");
+  EXPECT_TRUE(read("[cues]\nchemotaxis = 20\n").origin.gone.empty());
+  EXPECT_NE(fault_in("version = \"0.2.5\"\n[actomyosin]\ncurvature_profile = \"square\"\n"), "");
+}
+
+TEST(Earlier, AVersionHasTodaysModelOrNot) {
+  for (const char* version : {"0.3.0", this_version.data()}) {
+    EXPECT_TRUE(has_this_model(version)) << version;
+    EXPECT_EQ(parse_parameters(fmt::format("version = \"{}\"\n", version), "").origin.version, "");
+  }
+  for (const char* version : {"0.2.0", "0.2.9", "0.1.0", "9.0.0", "0.10.0", "unknown"}) {
+    EXPECT_FALSE(has_this_model(version)) << version;
+    EXPECT_EQ(parse_parameters(fmt::format("version = \"{}\"\n", version), "").origin.version, version);
+  }
+  EXPECT_EQ(parse_parameters(std::string(resolved_head) + "[adhesion]\nhold = \"matter\"\n", "").origin.version,
+            "0.2.0");
+  EXPECT_EQ(parse_parameters("[ecm]\nradius = \"60 um\"\n", "").origin.version, "") << "somebody wrote it";
+  EXPECT_EQ(version_of_program("matrigrate 0.2.0 (9a32bbbb, changed sources)"), "0.2.0");
+  EXPECT_NE(model_text("0.2.0").find("has changed since 0.2.0"), std::string::npos);
+  EXPECT_NE(model_text("9.0.0").find("a later version"), std::string::npos);
 }
 
 TEST(Earlier, APartThatIsOffDecidesNothing) {
