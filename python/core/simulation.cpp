@@ -5,6 +5,7 @@
 
 #include "base/failure.hpp"
 #include "cell/geometry.hpp"
+#include "parameters/closures.hpp"
 #include "parameters/judge.hpp"
 #include "parameters/read.hpp"
 #include "run/cadence.hpp"
@@ -26,6 +27,7 @@
 #include <cmath>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <thread>
@@ -114,12 +116,18 @@ public:
   const State& state() const { return m_simulation.s; }
   const Parameters& parameters() const { return m_simulation.p; }
 
-  /// As in run.json of a run that ends now.
+  /// As in run.json of a run that ends now; after a failure without the step that broke off.
   std::string trajectory_hash() const {
     require_rest();
     store::TrajectoryHash hash(m_hash);
-    if (m_seen < state().step) hash.add(state());
+    if (m_seen < state().step && !m_simulation.failure) hash.add(state());
     return hash.text();
+  }
+
+  /// Why no further step is made; none if one can be.
+  std::optional<std::string> failure() const {
+    if (!m_simulation.failure) return std::nullopt;
+    return fmt::format("failed at {:.6g} s: {}", state().t, m_simulation.failure->what());
   }
 
   /// Forces from Python, added in each step: called with the simulation, returns forces on the nodes [nN] or None.
@@ -351,6 +359,9 @@ PYBIND11_MODULE(_core, module) {
   py::register_exception_translator(&translate);
   py::module_::import("atexit").attr("register")(py::cpp_function(&end_marches));
   module.def("judged", &judged);
+  module.def("closures", [](const std::string& text, const std::string& name) {
+    return closures_text(closures_of(parse_parameters(text, name)));
+  });
   add_tracks(module);
   const auto of = [](const py::object& self) -> const State& { return self.cast<const SteppedSimulation&>().state(); };
   const auto cell = [of](const py::object& self, std::size_t k) -> const Cell& {
@@ -374,6 +385,9 @@ PYBIND11_MODULE(_core, module) {
       .def_property_readonly("t", [](const SteppedSimulation& s) { return s.state().t; })
       .def_property_readonly("step_count", [](const SteppedSimulation& s) { return s.state().step; })
       .def_property_readonly("duration", [](const SteppedSimulation& s) { return s.parameters().run.duration; })
+      .def_property_readonly("failure", &SteppedSimulation::failure)
+      .def_property_readonly("closures",
+                             [](const SteppedSimulation& s) { return closures_text(closures_of(s.parameters())); })
       .def_property_readonly("cell_count", [](const SteppedSimulation& s) { return s.state().cells.size(); })
       .def("matrix_x", [of](const py::object& self) { return vectors(of(self).ecm.x, self); })
       .def("matrix_X", [of](const py::object& self) { return vectors(of(self).ecm.X, self); })

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any
 
 from . import _arguments, _program, _schema
 from ._files import require_regular
+from ._load_core import core
 from ._schema import Parameter, Value
 from ._sections import Section as Section
 from ._sections import Sections, classes, help_text, of, unknown
@@ -293,6 +294,14 @@ class Scenario(Sections, Mapping[str, Value]):
         """Asks the program, which also judges parameters together; raises ConfigurationError with all faults."""
         with self._as_file() as file:
             _program.check(file)
+
+    @property
+    def closures(self) -> str:
+        """The set of closures that the values belong to, "third set"; "mixed: ..." with those of each set.
+
+        :raises CoreNotFound: if the package was installed without its compiled module
+        """
+        return core().closures(self.toml(), self.name)
 
     def _as_file(self) -> _program.TemporaryScenario:
         return _program.TemporaryScenario(self.name, self.toml())

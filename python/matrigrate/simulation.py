@@ -175,7 +175,7 @@ class Simulation:
     def __repr__(self) -> str:
         cells = "1 cell" if len(self.cells) == 1 else f"{len(self.cells)} cells"
         return (f"Simulation({self._name!r}: {cells}, {len(self.matrix)} particles of matrix, {self.t / 3600:.3g} of "
-                f"{self.duration / 3600:.3g} h, {self.step_count} steps)")
+                f"{self.duration / 3600:.3g} h, {self.step_count} steps{'' if self.failure is None else ', ' + self.failure})")
 
     @property
     def cell(self) -> Cell:
@@ -198,8 +198,20 @@ class Simulation:
         return self._core.duration
 
     @property
+    def failure(self) -> str | None:
+        """When and why a step failed, "failed at 130 s: ..."; None if none did. The arrays are then those of a step that
+        broke off, to be looked at, and no further step is made."""
+        return self._core.failure
+
+    @property
+    def closures(self) -> str:
+        """The set of closures that the parameters belong to, "third set"; "mixed: ..." with those of each set."""
+        return self._core.closures
+
+    @property
     def trajectory_hash(self) -> str:
-        """The hash that run.json would have if the run ended now. Equal hashes mean equal bits.
+        """The hash that run.json would have if the run ended now, after a failure without the step that broke off. Equal
+        hashes mean equal bits.
 
         :raises RuntimeError: while the simulation computes in another thread
         """
@@ -208,7 +220,7 @@ class Simulation:
     def step(self) -> None:
         """One step, of run.time_step or as long as the adaptive integrator takes it.
 
-        :raises NumericalError: if the step fails
+        :raises NumericalError: if the step fails, or one did before
         :raises RuntimeError: if this simulation is computing: from a function of one's own, or in another thread
         """
         self._core.step()
@@ -222,7 +234,7 @@ class Simulation:
         :param hours: simulated time to go on for [h]
         :param until: simulated time to go on to [s]
         :param progress: called with the simulation at most ten times a second
-        :raises NumericalError: if a step fails
+        :raises NumericalError: if a step fails, or one did before: the simulation does not go on, make a new one
         :raises ValueError: if hours or until is negative or no finite number
         :raises RuntimeError: if this simulation is computing: from a function of one's own, or in another thread
         """

@@ -5,7 +5,11 @@
 #include "simulation/march.hpp"
 #include "simulation/start.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
+
+#include <stdexcept>
+#include <string>
 
 namespace matrigrate {
 namespace {
@@ -53,6 +57,43 @@ TEST(Simulation, RefusesParametersThatTheStateWasMadeWith) {
   EXPECT_THROW(simulation.change(after), ConfigurationError);
   EXPECT_EQ(simulation.p.ecm.radius, 40.0);
   EXPECT_EQ(simulation.s.step, 0U);
+}
+
+TEST(Simulation, DoesNotGoOnFromAStepThatBrokeOff) {
+  Parameters p = small();
+  p.laws.polarization_rate = "r_pol";
+  p.laws.disassembly_rate = "F > 1e-6 ? -1 : 0.001"; // not allowed once an adhesion pulls
+  p.adhesion.maturation_time = p.protrusion.growth_time = p.protrusion.finishing_time = 4.0;
+  p.protrusion.force = 0.6;
+  Simulation simulation(p);
+  EXPECT_THROW(simulation.march(600.0), NumericalFailure);
+  ASSERT_TRUE(simulation.failure);
+  EXPECT_EQ(simulation.failure->cause(), FailureCause::law);
+  const State broken = simulation.s;
+  for (const double t_end : {600.0, broken.t, 0.0}) try {
+      simulation.march(t_end);
+      ADD_FAILURE() << "went on to " << simulation.s.t << " s";
+    } catch (const NumericalFailure& error) {
+      EXPECT_EQ(error.cause(), FailureCause::law);
+      EXPECT_EQ(std::string(error.what()).find(fmt::format("failed at {:.6g} s and cannot go on", broken.t)), 0U);
+    }
+  EXPECT_THROW(simulation.change(p), NumericalFailure);
+  EXPECT_TRUE(same_bits(simulation.s, broken));
+}
+
+/// What a user's own function throws ends a march between two steps.
+TEST(Simulation, GoesOnAfterAnExceptionOfAnObserver) {
+  Simulation simulation(small());
+  Simulation whole(small());
+  const auto end_it = [](const State& s) {
+    if (s.step == 3) throw std::runtime_error("enough");
+    return true;
+  };
+  EXPECT_THROW(simulation.march(8.0, {}, end_it), std::runtime_error);
+  EXPECT_FALSE(simulation.failure);
+  simulation.march(8.0);
+  whole.march(8.0);
+  EXPECT_TRUE(same_bits(simulation.s, whole.s));
 }
 
 } // namespace

@@ -290,6 +290,28 @@ class TestSimulation(common.InTemporaryFolder):
         with self.assertRaises(matrigrate.NumericalError):
             broken.advance(until=10)
 
+    def test_a_failed_simulation_does_not_go_on(self):
+        simulation = self.small(overrides={
+            "protrusion.initiation_rate": "3e-3 1/s", "protrusion.growth_time": "10 s", "protrusion.finishing_time": "10 s",
+            "adhesion.maturation_time": "10 s", "protrusion.force": "0.6 nN", "run.integrator": "adaptive",
+            # out of range between the values that are tried before a run
+            "laws.disassembly_rate": "sin(2*3.14159265358979*F/6.25e-5) > 0.5 ? -1 : 0.001"})
+        self.assertIsNone(simulation.failure)
+        with self.assertRaises(matrigrate.NumericalError):
+            simulation.advance(hours=0.5)
+        at, trajectory = simulation.t, simulation.trajectory_hash
+        self.assertRegex(simulation.failure, f"^failed at {at:.6g} s: .*laws.disassembly_rate")
+        self.assertIn(f"failed at {at:.6g} s", repr(simulation))
+        for go_on in (simulation.step, simulation.advance, lambda: simulation.advance(until=0)):
+            with self.assertRaisesRegex(matrigrate.NumericalError, f"failed at {at:.6g} s and cannot go on; make a new simulation"):
+                go_on()
+        self.assertEqual((simulation.t, simulation.trajectory_hash), (at, trajectory))
+
+    def test_the_set_of_closures(self):
+        self.assertEqual(self.small().closures, "third set")
+        self.assertRegex(self.small(overrides={"contact.fluid_share": 0.15}).closures, "^mixed: of the third set .*; of the second contact.fluid_share = 0.15$")
+        self.assertEqual(matrigrate.Scenario().closures, "third set")
+
     def test_interruption_and_progress(self):
         simulation, told = self.small(), []
         threading.Timer(0.5, os.kill, (os.getpid(), signal.SIGINT)).start()

@@ -4,7 +4,10 @@
 #include "simulation/same_start.hpp"
 #include "simulation/start.hpp"
 
+#include <fmt/format.h>
+
 #include <cmath>
+#include <new>
 #include <utility>
 
 namespace matrigrate {
@@ -27,7 +30,19 @@ Simulation::Simulation(const Parameters& parameters, EcmState matrix)
     : Simulation(parameters, without_cells(std::move(matrix))) {}
 
 void Simulation::march(double t_end, const Loads& loads, const Observer& each_step) {
-  matrigrate::march(s, p, w, t_end, loads, each_step);
+  if (failure)
+    throw NumericalFailure(failure->cause(), fmt::format("failed at {:.6g} s and cannot go on; make a new simulation, "
+                                                         "with other parameters or a shorter step. It failed since {}",
+                                                         s.t, failure->what()));
+  try {
+    matrigrate::march(s, p, w, t_end, loads, each_step);
+  } catch (const NumericalFailure& error) {
+    failure = error;
+    throw;
+  } catch (const std::bad_alloc&) { // within a step, too; it has no cause of its own
+    failure.emplace(FailureCause::solver, "memory ran out");
+    throw;
+  }
 }
 
 void Simulation::march_for(double seconds, const Loads& loads, const Observer& each_step) {

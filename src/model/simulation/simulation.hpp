@@ -1,8 +1,10 @@
 #pragma once
 
+#include "base/failure.hpp"
 #include "simulation/equations.hpp"
 
 #include <functional>
+#include <optional>
 
 namespace matrigrate {
 
@@ -23,7 +25,8 @@ struct Simulation {
 
   /// Advances until s.t has reached t_end [s].
   /// @param loads  forces from outside the model
-  /// @throws NumericalFailure as matrigrate::march()
+  /// @throws NumericalFailure as matrigrate::march(). The step broke off, so that the state is that of no law: every
+  ///         later call throws, too.
   void march(double t_end, const Loads& loads = {}, const Observer& each_step = {});
   void march_for(double seconds, const Loads& loads = {}, const Observer& each_step = {});
 
@@ -37,6 +40,7 @@ struct Simulation {
   Parameters p; ///< to be changed by change() alone
   State s;
   Workspace w;
+  std::optional<NumericalFailure> failure; ///< that ended a march
 };
 
 } // namespace matrigrate
