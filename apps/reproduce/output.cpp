@@ -29,6 +29,8 @@ std::string reproduction_text(const std::vector<study::JudgedClaim>& rows) {
     if (!row.published.empty()) text += fmt::format("    published: {}\n", row.published);
     for (const std::string& line : row.finding.ours) text += fmt::format("    ours: {}\n", line);
     for (const std::string& line : row.finding.conditions) text += fmt::format("      {}\n", line);
+    if (row.second_edition)
+      text += fmt::format("    by the second edition of the rules: {}\n", to_string(row.second_edition->verdict));
     if (row.in_larger_disc)
       text +=
           fmt::format("    {}\n      {}\n", study::with_larger_disc(*row.in_larger_disc), row.in_larger_disc->brief);

@@ -70,7 +70,7 @@ export function sampleRun(options: RunOptions = {}): RunPage {
   run.readouts = [
     { name: "v_migr_abs_um_per_h", meaning: "speed, start to end (um/h)", value: 9.871 },
     { name: "n_protrusions", meaning: "protrusions initiated", value: rows.length },
-    { name: "path_angle_deg", meaning: "mean angle of the path to uniaxial fibres [degrees]", value: null },
+    { name: "path_angle_deg", meaning: "mean angle of the path to uniaxial fibres, each step of 600 s weighted by its length [degrees]", value: null },
   ];
   run.parameters = [
     { name: "ecm.youngs_modulus", value: "100 Pa", default: "200 Pa", meaning: "Young's modulus of the intact matrix" },

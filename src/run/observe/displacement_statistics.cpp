@@ -51,17 +51,41 @@ double msd_slope(std::span<const MsdPoint> points) {
   return tracks::log_slope(lags, squares, 3);
 }
 
-double angle_to(std::span<const TrackRow> rows, double direction, double interval) {
+Guidance guidance(std::span<const TrackRow> rows, double direction, double interval) {
+  Guidance found{undefined, undefined, undefined, {undefined, undefined, undefined}};
   const std::vector<Vec2> x = sampled(rows, interval);
+  if (x.empty()) return found;
   const Vec2 d(std::cos(direction), std::sin(direction));
-  double sum = 0.0;
-  double length = 0.0;
+  const auto angle = [&](const Vec2& step) {
+    return std::atan2(std::abs(cross(d, step)), std::abs(d.dot(step))) * 180.0 / std::numbers::pi;
+  };
+  double sum = 0.0, weighted = 0.0, length = 0.0, steps = 0.0;
   for (std::size_t k = 1; k < x.size(); ++k) {
     const Vec2 step = x[k] - x[k - 1];
-    sum += step.norm() * std::atan2(std::abs(cross(d, step)), std::abs(d.dot(step)));
+    if (!(step.norm() > 0.0)) continue;
+    weighted += step.norm() * angle(step);
     length += step.norm();
+    sum += angle(step);
+    steps += 1.0;
   }
-  return length > 0.0 ? sum / length * 180.0 / std::numbers::pi : undefined;
+  if (length > 0.0) {
+    found.path_angle = weighted / length;
+    found.step_angle = sum / steps;
+  }
+  const Vec2 net = rows.back().centre - rows.front().centre;
+  if (net.norm() > 0.0) found.net_angle = angle(net);
+  for (std::size_t k = 0; k < found.ratios.size(); ++k) {
+    constexpr std::array lags{3600.0, 10800.0, 21600.0}; // [s]
+    const auto lag = static_cast<std::size_t>(std::llround(lags[k] / interval));
+    double along = 0.0, across = 0.0;
+    for (std::size_t i = 0; i + lag < x.size(); ++i) {
+      const Vec2 step = x[i + lag] - x[i];
+      along += d.dot(step) * d.dot(step);
+      across += cross(d, step) * cross(d, step);
+    }
+    if (across > 0.0) found.ratios[k] = along / across;
+  }
+  return found;
 }
 
 } // namespace matrigrate

@@ -14,7 +14,7 @@ std::string ReadOutSpec::meaning_with_unit() const {
 std::span<const ReadOutSpec> readout_table() {
   using Value = ReadOutValue;
   // clang-format off
-  static constexpr std::array<ReadOutSpec, 28> table{{
+  static constexpr std::array<ReadOutSpec, 33> table{{
       {.name = "duration_s", .label = "duration", .unit = "s", .meaning = "duration",
        .value = [](const ReadOuts& r) -> Value { return r.duration; }, .is_always = true},
       {.name = "v_migr_abs_um_per_h", .label = "v_migr_abs", .unit = "um/h", .meaning = "speed, start to end",
@@ -54,8 +54,8 @@ std::span<const ReadOutSpec> readout_table() {
        .meaning = "log-log slope of the mean square displacement, lags of 10 min to half the run",
        .value = [](const ReadOuts& r) -> Value { return r.msd_slope; }, .usual = true,
        .least = -1e12},
-      {.name = "path_angle_deg", .label = "path_angle", .unit = "degrees",
-       .meaning = "mean angle of the path, sampled every 600 s, to uniaxial fibres",
+      {.name = "path_angle_deg", .label = "path_angle_weighted", .unit = "degrees",
+       .meaning = "mean angle of the path to uniaxial fibres, each step of 600 s weighted by its length",
        .value = [](const ReadOuts& r) -> Value { return r.path_angle; }, .of_fibres = true, .most = 90.0},
       {.name = "f_mat_along", .label = "f_mat_along", .unit = "-",
        .meaning = "maturation of protrusions along uniaxial fibres, mean",
@@ -79,6 +79,23 @@ std::span<const ReadOutSpec> readout_table() {
        .meaning = "displacement along x over the length of the path, sampled every 600 s",
        .value = [](const ReadOuts& r) -> Value { return r.migration_index; }, .of_claims = true, .is_late = true,
        .least = -1.0, .most = 1.0},
+      {.name = "step_angle_deg", .label = "step_angle", .unit = "degrees",
+       .meaning = "mean angle of the path to uniaxial fibres, each step of 600 s counted alike",
+       .value = [](const ReadOuts& r) -> Value { return r.step_angle; },
+       .of_fibres = true, .is_late = true, .most = 90.0},
+      {.name = "net_angle_deg", .label = "net_angle", .unit = "degrees",
+       .meaning = "angle of the displacement from start to end to uniaxial fibres",
+       .value = [](const ReadOuts& r) -> Value { return r.net_angle; },
+       .of_fibres = true, .is_late = true, .most = 90.0},
+      {.name = "along_over_across_1h", .label = "along_over_across_1h", .unit = "",
+       .meaning = "mean square displacement along uniaxial fibres over that across them, in an hour",
+       .value = [](const ReadOuts& r) -> Value { return r.along_over_across_1h; }, .of_fibres = true, .is_late = true},
+      {.name = "along_over_across_3h", .label = "along_over_across_3h", .unit = "",
+       .meaning = "mean square displacement along uniaxial fibres over that across them, in 3 h",
+       .value = [](const ReadOuts& r) -> Value { return r.along_over_across_3h; }, .of_fibres = true, .is_late = true},
+      {.name = "along_over_across_6h", .label = "along_over_across_6h", .unit = "",
+       .meaning = "mean square displacement along uniaxial fibres over that across them, in 6 h",
+       .value = [](const ReadOuts& r) -> Value { return r.along_over_across_6h; }, .of_fibres = true, .is_late = true},
       {.name = "parting_index", .label = "parting_index", .unit = "",
        .meaning = "cosine between displacement and the direction away from the nearest cell at the start",
        .value = [](const ReadOuts& r) -> Value { return r.parting_index; },

@@ -25,7 +25,7 @@ struct ReadOutSpec {
   bool of_fibres = false; ///< defined among uniaxial fibres only
   bool of_claims = false; ///< needed by claims alone: not among what people are shown of a run
   bool of_groups = false; ///< of several cells only
-  bool is_late = false;   ///< tables of results of version 0.1.0 lack it
+  bool is_late = false;   ///< tables of results of earlier versions lack it
   bool is_always = false; ///< defined of every run that is done, as counts are
   double least = 0.0;     ///< bounds of its values
   double most = 1e12;

@@ -42,7 +42,7 @@ struct ReadOuts {
   double mean_simultaneous = undefined; ///< protrusions alive, of all phases, mean over the rows
   std::size_t max_simultaneous = 0;     ///< the largest number of them in a row
   double msd_slope = undefined;  ///< log-log slope of the mean square displacement, lags of 10 min to half the run [-]
-  double path_angle = undefined; ///< mean angle of the path, sampled every 600 s, to uniaxial fibres [degrees]
+  double path_angle = undefined; ///< Guidance::path_angle to uniaxial fibres, steps of 600 s [degrees]
   OrientedProtrusions along;     ///< uniaxial fibres
   OrientedProtrusions across;    ///< uniaxial fibres
 
@@ -50,6 +50,13 @@ struct ReadOuts {
   double share_low_force = undefined; ///< of mature adhesions that ended, those with f_adh_rel < low_relative_force [-]
   double share_2_or_3 = undefined;    ///< of the rows, those with 2 or 3 protrusions alive [-]
   double migration_index = undefined; ///< way along x over the path sampled every 600 s, from -1 to 1 [-]
+
+  // To uniaxial fibres, steps of 600 s: members of Guidance.
+  double step_angle = undefined;           ///< [degrees]
+  double net_angle = undefined;            ///< [degrees]
+  double along_over_across_1h = undefined; ///< [-]
+  double along_over_across_3h = undefined; ///< [-]
+  double along_over_across_6h = undefined; ///< [-]
 
   // Of several cells; all but the first are those of the group, the same for each cell.
   double parting_index = undefined; ///< cosine between displacement and the way off the nearest cell at the start [-]

@@ -32,6 +32,7 @@ struct JudgedClaim {
   std::string published;
   Finding finding;
   std::optional<Finding> in_larger_disc{}; ///< with runs that ended at the rim made again in a larger disc
+  std::optional<Finding> second_edition{}; ///< by the second edition of the rules, where the third changed them
   std::string caveat{};                    ///< "not the paper's runs" where the runs of its studies are not; else ""
   std::vector<std::string> studies{};      ///< names of those that it is judged by, as far as there are any
 };
@@ -48,7 +49,9 @@ std::string bottom_line(const std::vector<JudgedClaim>& claims);
 std::string claims_csv(const std::vector<JudgedClaim>& claims);
 
 /// For programs: {id, sentence, published, ours, statistic, verdict, caveat, kind, brief, why_not,
-/// verdict_in_larger_disc, against}.
+/// verdict_in_larger_disc, against}, and of a claim whose rules the third edition changed {verdict_second_edition,
+/// why_not_second_edition, against_second_edition, statistic_second_edition}. The tables have the same, with these
+/// columns where a claim of theirs has them.
 nlohmann::ordered_json claim_json(const JudgedClaim& claim);
 
 /// Every mean and condition of each claim.

@@ -12,9 +12,32 @@ namespace {
 
 std::string joined(const std::vector<std::string>& parts) { return fmt::format("{}", fmt::join(parts, "; ")); }
 
-/// The verdict with runs in the larger disc, where there are any.
-std::string in_larger_disc(const JudgedClaim& c) {
-  return c.in_larger_disc ? to_string(c.in_larger_disc->verdict) : "";
+/// A column of a table: its name, and the key of claim_json() that it has.
+struct Column {
+  std::string name;
+  std::string key;
+};
+
+/// A line per claim. @param of_editions  further columns, where a claim was judged by the second edition of the rules
+std::string table(const std::vector<JudgedClaim>& claims, std::vector<Column> columns,
+                  const std::vector<std::string>& of_editions) {
+  if (std::ranges::any_of(claims, [](const JudgedClaim& c) { return c.second_edition.has_value(); }))
+    for (const std::string& key : of_editions) columns.push_back({key, key});
+  const auto line = [&](const auto& text_of) {
+    std::vector<std::string> texts;
+    for (const Column& column : columns) texts.push_back(text_of(column));
+    return store::csv_line({texts.begin(), texts.end()});
+  };
+  std::string text = line([](const Column& column) { return column.name; });
+  for (const JudgedClaim& c : claims) {
+    const nlohmann::ordered_json values = claim_json(c);
+    text += line([&](const Column& column) -> std::string {
+      const auto value = values.find(column.key);
+      if (value == values.end()) return "";
+      return value->is_array() ? joined(*value) : value->get<std::string>();
+    });
+  }
+  return text;
 }
 
 } // namespace
@@ -42,38 +65,40 @@ std::string bottom_line(const std::vector<JudgedClaim>& claims) {
                      more(of(Verdict::in_direction), "more in direction"), more(of(Verdict::undecided), "undecided"));
 }
 
-using View = std::string_view;
-
 std::string conditions_csv(const std::vector<JudgedClaim>& claims) {
-  std::string text = "id,sentence,published,ours,statistic,verdict,caveat\n";
-  for (const JudgedClaim& c : claims)
-    text += store::csv_line({View(c.id), View(c.sentence), View(c.published), View(joined(c.finding.ours)),
-                             View(joined(c.finding.conditions)), View(to_string(c.finding.verdict)), View(c.caveat)});
-  return text;
+  std::vector<Column> columns;
+  for (const char* key : {"id", "sentence", "published", "ours", "statistic", "verdict", "caveat"})
+    columns.push_back({key, key});
+  return table(claims, columns, {"statistic_second_edition", "verdict_second_edition"});
 }
 
 std::string claims_csv(const std::vector<JudgedClaim>& claims) {
-  std::string text = "id,kind,claim,published,ours,verdict,why_not,verdict_in_larger_disc,against,caveat\n";
-  for (const JudgedClaim& c : claims)
-    text += store::csv_line({View(c.id), View(kind_name(c.kind)), View(c.sentence), View(c.published),
-                             View(c.finding.brief), View(to_string(c.finding.verdict)), View(why_not(c.finding)),
-                             View(in_larger_disc(c)), View(joined(c.finding.against)), View(c.caveat)});
-  return text;
+  std::vector<Column> columns{
+      {"id", "id"}, {"kind", "kind"}, {"claim", "sentence"}, {"published", "published"}, {"ours", "brief"}};
+  for (const char* key : {"verdict", "why_not", "verdict_in_larger_disc", "against", "caveat"})
+    columns.push_back({key, key});
+  return table(claims, columns, {"verdict_second_edition", "why_not_second_edition", "against_second_edition"});
 }
 
 nlohmann::ordered_json claim_json(const JudgedClaim& c) {
-  return {{"id", c.id},
-          {"sentence", c.sentence},
-          {"published", c.published},
-          {"ours", c.finding.ours},
-          {"statistic", c.finding.conditions},
-          {"verdict", to_string(c.finding.verdict)},
-          {"caveat", c.caveat},
-          {"kind", kind_name(c.kind)},
-          {"brief", c.finding.brief},
-          {"why_not", why_not(c.finding)},
-          {"verdict_in_larger_disc", in_larger_disc(c)},
-          {"against", c.finding.against}};
+  nlohmann::ordered_json json{{"id", c.id},
+                              {"sentence", c.sentence},
+                              {"published", c.published},
+                              {"ours", c.finding.ours},
+                              {"statistic", c.finding.conditions},
+                              {"verdict", to_string(c.finding.verdict)},
+                              {"caveat", c.caveat},
+                              {"kind", kind_name(c.kind)},
+                              {"brief", c.finding.brief},
+                              {"why_not", why_not(c.finding)},
+                              {"verdict_in_larger_disc", c.in_larger_disc ? to_string(c.in_larger_disc->verdict) : ""},
+                              {"against", c.finding.against}};
+  if (!c.second_edition) return json;
+  json["verdict_second_edition"] = to_string(c.second_edition->verdict);
+  json["why_not_second_edition"] = why_not(*c.second_edition);
+  json["against_second_edition"] = c.second_edition->against;
+  json["statistic_second_edition"] = c.second_edition->conditions;
+  return json;
 }
 
 } // namespace matrigrate::study

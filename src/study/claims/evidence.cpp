@@ -2,6 +2,7 @@
 
 #include "base/failure.hpp"
 #include "base/file.hpp"
+#include "claims/run_msd.hpp"
 #include "claims/shipped_studies.hpp"
 #include "run/provenance.hpp"
 #include "simulation/start_rules.hpp"
@@ -93,18 +94,38 @@ std::vector<Result> in_larger_disc(const StudyFolder& study, const std::vector<R
   return all;
 }
 
+/// Where the paths of a study may be: beside its runs, or kept.
+std::vector<std::filesystem::path> path_tables(const std::string& name, const EvidenceOptions& options) {
+  std::vector<std::filesystem::path> files;
+  if (options.from.empty()) files.push_back(std::filesystem::path(options.folder) / name / "paths.csv");
+  for (const std::string& kept : {options.from, options.kept})
+    if (!kept.empty()) files.push_back(std::filesystem::path(kept) / fmt::format("{}-paths.csv", name));
+  return files;
+}
+
+/// Adds a study to the evidence. @param larger  the results with those in a larger disc; empty if there are none
+void add(ClaimEvidence& all, const Study& study, const std::string& name, const EvidenceOptions& options,
+         std::vector<Result> results, std::vector<Result> larger) {
+  const std::vector<std::filesystem::path> paths = path_tables(name, options);
+  if (!larger.empty()) {
+    std::vector<std::filesystem::path> those = path_tables(larger_name(name), options);
+    those.insert(those.end(), paths.begin(), paths.end());
+    MsdCurves msd = run_msd(study, larger, those);
+    all.larger.emplace(name, Ensemble{study, std::move(larger), std::move(msd)});
+  }
+  MsdCurves msd = run_msd(study, results, paths);
+  all.evidence.emplace(name, Ensemble{study, std::move(results), std::move(msd)});
+}
+
 /// Adds the kept results of a study, if there are any, and those in a larger disc.
 void add_kept(ClaimEvidence& all, const std::string& name, const EvidenceOptions& options) {
-  StudyFolder study = planned(shipped(name, options), {});
+  const StudyFolder study = planned(shipped(name, options), {});
   auto results = kept_results(study, options.from, name);
   if (results.empty()) return;
   const auto second = kept_results(second_of(study, name, options), options.from, larger_name(name));
-  if (!second.empty()) {
-    auto larger = results;
-    replace_at_rim(larger, second);
-    all.larger.emplace(name, Ensemble{study.study, std::move(larger)});
-  }
-  all.evidence.emplace(name, Ensemble{std::move(study.study), std::move(results)});
+  auto larger = second.empty() ? std::vector<Result>() : results;
+  replace_at_rim(larger, second);
+  add(all, study.study, name, options, std::move(results), std::move(larger));
 }
 
 } // namespace
@@ -145,9 +166,8 @@ ClaimEvidence gather_evidence(const std::vector<Claim>& claims, const EvidenceOp
     }
     const StudyFolder study = planned(shipped(name, options), std::filesystem::path(options.folder) / name);
     std::vector<Result> results = computed(study, name, options, compute, [](const Run&) { return true; });
-    if (auto larger = in_larger_disc(study, results, name, claims, options, compute); !larger.empty())
-      all.larger.emplace(name, Ensemble{study.study, std::move(larger)});
-    all.evidence.emplace(name, Ensemble{study.study, std::move(results)});
+    std::vector<Result> larger = in_larger_disc(study, results, name, claims, options, compute);
+    add(all, study.study, name, options, std::move(results), std::move(larger));
   }
   return all;
 }

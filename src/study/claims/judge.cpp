@@ -58,8 +58,19 @@ Judge::Group Judge::group(const PointName& name) const {
 std::vector<double> Judge::values(const Group& g, std::string_view readout) {
   if (g.ensemble == nullptr) return {};
   std::vector<double> x = sample(g.ensemble->results, g.point, readout);
-  tell(g, readout, x);
+  tell(g, readout_words(readout), statistics::mean_interval(x, claim_alpha), x.size());
   return x;
+}
+
+/// Mean square displacements of the runs at a point that have one.
+MsdCurves Judge::curves(const Group& g) {
+  MsdCurves runs;
+  if (g.ensemble == nullptr) return runs;
+  for (std::size_t k = 0; k < g.ensemble->msd.size(); ++k)
+    if (g.ensemble->results[k].run.point == g.point && !g.ensemble->msd[k].empty()) runs.push_back(g.ensemble->msd[k]);
+  tell(g, "slope of the mean curve of the square displacement, lags of 10 min to half the run",
+       mean_curve_slope(runs, g.point), runs.size());
+  return runs;
 }
 
 /// Of all runs of a study.
@@ -106,6 +117,9 @@ Judge& Judge::add(const ClaimCondition& c) {
   if (points == ClaimPoints::all) {
     runs.all = column(c, c.readout);
     if (!c.other.empty()) runs.other = column(c, c.other);
+  } else if (points == ClaimPoints::curves) {
+    runs.from_msd = curves(from = group(c.from));
+    runs.to_msd = curves(to = group(c.to));
   } else {
     if (points == ClaimPoints::from_to) runs.from = values(from = group(c.from), c.readout);
     to = points == ClaimPoints::lowest || points == ClaimPoints::highest ? extreme(c) : group(c.to);
@@ -177,9 +191,10 @@ Finding Judge::finding() const {
   return finding;
 }
 
-Finding judged(const Claim& claim, const Evidence& evidence) {
+Finding judged(const Claim& claim, const Evidence& evidence, ClaimEdition edition) {
   Judge judge(evidence, claim.study);
-  for (const ClaimCondition& c : claim.conditions) judge.add(c);
+  for (const ClaimCondition& c : claim.conditions)
+    if (c.edition.value_or(edition) == edition) judge.add(c);
   return judge.finding();
 }
 

@@ -27,6 +27,7 @@ namespace matrigrate::study {
 struct Ensemble {
   Study study;
   std::vector<Result> results;
+  MsdCurves msd{}; ///< of the results, in their order; empty where a run has none, or none is known
 };
 
 /// By the name of the study.
@@ -78,7 +79,7 @@ private:
   /// A mean that a condition is about.
   struct Mean {
     Group group;
-    std::string readout;
+    std::string what;
     std::string value; ///< with its interval
   };
 
@@ -86,7 +87,8 @@ private:
   Group group(const PointName& name) const;
   std::vector<double> values(const Group& g, std::string_view readout);
   std::vector<double> column(const ClaimCondition& c, std::string_view readout) const;
-  void tell(const Group& g, std::string_view readout, const std::vector<double>& x);
+  MsdCurves curves(const Group& g);
+  void tell(const Group& g, const std::string& what, const statistics::Interval& mean, std::size_t n);
   Group extreme(const ClaimCondition& c);
   std::vector<double> excess(const Group& g, const ClaimCondition& c);
   Words filled(std::string_view sentence, const ClaimCondition& c, const Group& from, const Group& to) const;
@@ -104,7 +106,7 @@ private:
   std::vector<Condition> m_conditions;
 };
 
-/// What becomes of a claim by the evidence.
-Finding judged(const Claim& claim, const Evidence& evidence);
+/// What becomes of a claim by the evidence, under an edition of the rules.
+Finding judged(const Claim& claim, const Evidence& evidence, ClaimEdition edition = ClaimEdition::third);
 
 } // namespace matrigrate::study

@@ -18,15 +18,13 @@ std::string Judge::readout_words(std::string_view readout) {
   return spec == nullptr ? std::string(readout) : spec->meaning_with_unit();
 }
 
-void Judge::tell(const Group& g, std::string_view readout, const std::vector<double>& x) {
-  const statistics::Interval mean = statistics::mean_interval(x, claim_alpha);
-  const std::string value = x.size() < 2 ? fmt::format("{:.3g}", mean.value)
-                                         : fmt::format("{:.3g} [{:.3g}, {:.3g}]", mean.value, mean.low, mean.high);
-  const std::string text = fmt::format("{}: {} at {} (n = {})", readout_words(readout), x.empty() ? "no runs" : value,
-                                       g.label.whole, x.size());
+void Judge::tell(const Group& g, const std::string& what, const statistics::Interval& mean, std::size_t n) {
+  const std::string value = n < 2 ? fmt::format("{:.3g}", mean.value)
+                                  : fmt::format("{:.3g} [{:.3g}, {:.3g}]", mean.value, mean.low, mean.high);
+  const std::string text = fmt::format("{}: {} at {} (n = {})", what, n == 0 ? "no runs" : value, g.label.whole, n);
   if (std::ranges::find(m_ours, text) != m_ours.end()) return;
   m_ours.push_back(text);
-  if (!x.empty()) m_means.push_back({g, std::string(readout), value});
+  if (n > 0) m_means.push_back({g, what, value});
 }
 
 /// A sentence of a rule with the names of what it is about.
@@ -53,18 +51,18 @@ Judge::Words Judge::filled(std::string_view sentence, const ClaimCondition& c, c
 std::string Judge::brief() const {
   constexpr std::size_t few = 5;
   std::vector<std::string> parts;
-  std::vector<std::string> readouts;
+  std::vector<std::string> all;
   for (const Mean& m : m_means)
-    if (std::ranges::find(readouts, m.readout) == readouts.end()) readouts.push_back(m.readout);
-  for (const std::string& readout : readouts) {
+    if (std::ranges::find(all, m.what) == all.end()) all.push_back(m.what);
+  for (const std::string& what : all) {
     std::vector<const Mean*> of;
     for (const Mean& m : m_means)
-      if (m.readout == readout) of.push_back(&m);
+      if (m.what == what) of.push_back(&m);
     std::ranges::stable_sort(of, {}, [](const Mean* m) { return std::pair(m->group.study, m->group.point); });
     if (m_means.size() > few && of.size() > 2) of = {of.front(), of.back()};
     std::vector<std::string> values;
     for (const Mean* m : of) values.push_back(fmt::format("{} ({})", m->value, m->group.label.brief));
-    parts.push_back(fmt::format("{}: {}", readout_words(readout), fmt::join(values, ", ")));
+    parts.push_back(fmt::format("{}: {}", what, fmt::join(values, ", ")));
   }
   parts.insert(parts.end(), m_others.begin(), m_others.end());
   return fmt::format("{}", fmt::join(parts, "; "));

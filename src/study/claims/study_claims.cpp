@@ -1,6 +1,7 @@
 #include "claims/study_claims.hpp"
 
 #include "base/failure.hpp"
+#include "claims/run_msd.hpp"
 #include "claims/shipped_studies.hpp"
 #include "parameters/read.hpp"
 #include "parameters/schema.hpp"
@@ -34,6 +35,10 @@ std::string own_name(const std::filesystem::path& folder) {
   return name.ends_with(ending) ? name.substr(0, name.size() - ending.size()) : name;
 }
 
+study::Ensemble ensemble(const StudyFolder& study, const std::vector<Result>& results) {
+  return {study.study, results, run_msd(study.study, results, {study.folder / "paths.csv"})};
+}
+
 /// The results of a study that lies beside another one; nothing if it does not.
 /// @param shipped  whether it must be the shipped one of its name
 std::optional<study::Ensemble> beside(const std::filesystem::path& folder, std::string_view name, bool shipped) {
@@ -44,7 +49,7 @@ std::optional<study::Ensemble> beside(const std::filesystem::path& folder, std::
       const StudyFolder other = study::open_study(parent / sibling);
       const ReadStudy* known = shipped ? shipped_study(other.study) : nullptr;
       if (!shipped || (known != nullptr && known->name == name))
-        return study::Ensemble{other.study, study::results(other.study, other.runs, other.folder)};
+        return ensemble(other, study::results(other.study, other.runs, other.folder));
     } catch (const InputOutputError&) { // is not there, or cannot be read: the claim stays undecided
     } catch (const ConfigurationError&) {
     }
@@ -107,7 +112,7 @@ std::vector<JudgedClaim> claims_about(const StudyFolder& study, const std::vecto
     for (Claim& claim : shipped_claims())
       if (std::ranges::find(claims, claim.id, &Claim::id) == claims.end()) claims.push_back(std::move(claim));
   Evidence all;
-  all.emplace(name, Ensemble{study.study, results});
+  all.emplace(name, ensemble(study, results));
   std::vector<JudgedClaim> judged;
   for (const Claim& claim : claims) {
     const std::vector<std::string> needed = claim.studies();
@@ -182,6 +187,7 @@ std::vector<Claim> shipped_claims() {
 
 JudgedClaim judged_claim(const Claim& claim, const Evidence& evidence) {
   JudgedClaim result{claim.id, claim.kind, claim.sentence, claim.published, judged(claim, evidence)};
+  if (claim.has_editions()) result.second_edition = judged(claim, evidence, ClaimEdition::second);
   for (const std::string& name : claim.studies())
     if (const auto found = evidence.find(name); found != evidence.end()) {
       if (result.caveat.empty()) result.caveat = claims_caveat(found->second.study);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,6 +16,9 @@ enum class ClaimKind { calibration, predicted, verification, experiment };
 enum class Sign { up, down };
 
 struct ClaimRule; // claim_rules.hpp
+
+/// Of the rules of verdicts (docs/validation.md). A claim that an edition changed is judged by the one before as well.
+enum class ClaimEdition { second = 2, third = 3 };
 
 /// A point by its label.
 struct PointName {
@@ -35,6 +39,7 @@ struct ClaimCondition {
   double high = 0.0;
   double runs = 0.0; ///< that a published value is the mean of
   double share = 0.0;
+  std::optional<ClaimEdition> edition{}; ///< that alone asks for it; none: all
 };
 
 struct Claim {
@@ -48,6 +53,8 @@ struct Claim {
 
   /// Names of the studies that it is judged by, its own first.
   std::vector<std::string> studies() const;
+  /// Whether the second edition of the rules asks for other conditions than the third.
+  bool has_editions() const;
   /// Whether the runs at a point of a study decide on it: a condition names the point, or all runs of the study.
   bool depends_on(const std::string& of_study, const std::string& label) const;
 };

@@ -1,5 +1,6 @@
 #include "study_plan/claim_rules.hpp"
 
+#include "statistics/bootstrap.hpp"
 #include "statistics/compare.hpp"
 #include "statistics/correlation.hpp"
 #include "statistics/sample.hpp"
@@ -215,7 +216,45 @@ ClaimReading mostly_up_to(const ClaimCondition& c, const ClaimRuns& runs) {
   return reading;
 }
 
+std::vector<double> drawn_slopes(const MsdCurves& runs, std::uint64_t key) {
+  std::vector<double> slopes;
+  for (std::size_t draw = 0; draw < statistics::bootstrap_draws; ++draw) {
+    MsdCurves drawn;
+    for (const std::size_t k : statistics::resampled(runs.size(), key, draw)) drawn.push_back(runs[k]);
+    slopes.push_back(msd_slope(mean_curve(drawn)));
+  }
+  return slopes;
+}
+
+ClaimReading msd_leans(const ClaimCondition& c, const ClaimRuns& runs) {
+  const double from = msd_slope(mean_curve(runs.from_msd)), to = msd_slope(mean_curve(runs.to_msd));
+  std::vector<double> differences = drawn_slopes(runs.to_msd, 1); // the two samples are not paired
+  const std::vector<double> of_from = drawn_slopes(runs.from_msd, 0);
+  for (std::size_t k = 0; k < differences.size(); ++k) differences[k] -= of_from[k];
+  const Interval d = statistics::percentile_interval(to - from, differences, alpha);
+  return {.wanted = fmt::format("slope of the mean curve of the square displacement: $to {} $from", word(c.sign)),
+          .measured = fmt::format("difference {:.3g} [{:.3g}, {:.3g}], bootstrap over runs", d.value, d.low, d.high),
+          .defined = runs.from_msd.size() > 1 && runs.to_msd.size() > 1 && std::isfinite(d.value),
+          .met = has(c.sign, d.value),
+          .direction = has(c.sign, d.value),
+          .against = opposes(c.sign, d)};
+}
+
 } // namespace
+
+std::vector<MsdPoint> mean_curve(const MsdCurves& runs) {
+  std::vector<MsdPoint> mean;
+  if (!runs.empty()) mean.resize(std::ranges::min_element(runs, {}, &std::vector<MsdPoint>::size)->size());
+  for (std::size_t k = 0; k < mean.size(); ++k) {
+    mean[k] = {.lag = runs.front()[k].lag, .msd = 0.0, .samples = runs.size()};
+    for (const std::vector<MsdPoint>& run : runs) mean[k].msd += run[k].msd / static_cast<double>(runs.size());
+  }
+  return mean;
+}
+
+statistics::Interval mean_curve_slope(const MsdCurves& runs, std::uint64_t key) {
+  return statistics::percentile_interval(msd_slope(mean_curve(runs)), drawn_slopes(runs, key), alpha);
+}
 
 const std::vector<ClaimRule>& claim_rules() {
   using enum ClaimPoints;
@@ -226,6 +265,8 @@ const std::vector<ClaimRule>& claim_rules() {
       {"same", {"readout", "from", "to"}, from_to, same},
       // the mean of `to` is above (or below) that of `from`, significantly or not: "slightly"
       {"leans", {"readout", "from", "to", "sign"}, from_to, leans},
+      // the mean square displacement, averaged over runs, has a steeper (or flatter) slope at `to`
+      {"msd_leans", {"from", "to", "sign"}, curves, msd_leans},
       // `to` is not significantly above (or below) `from`
       {"not_beyond", {"readout", "from", "to", "sign"}, from_to, not_beyond},
       // the means of `to` and `from` are in a ratio below a bound

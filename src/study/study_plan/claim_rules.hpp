@@ -1,7 +1,10 @@
 #pragma once
 
+#include "observe/displacement_statistics.hpp"
+#include "statistics/compare.hpp"
 #include "study_plan/claim.hpp"
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -13,12 +16,23 @@ namespace matrigrate::study {
 
 inline constexpr double claim_alpha = 0.05; ///< level of tests and of intervals
 
+/// Mean square displacements of runs, each by lag.
+using MsdCurves = std::vector<std::vector<MsdPoint>>;
+
+/// Their mean at the lags that all have.
+std::vector<MsdPoint> mean_curve(const MsdCurves& runs);
+
+/// Slope of log over log of the mean curve, as in Figs 11D and 12D, with its interval by a bootstrap over runs.
+/// @param key  of the draws
+statistics::Interval mean_curve_slope(const MsdCurves& runs, std::uint64_t key);
+
 /// The values of the read-out that a condition is about.
 struct ClaimRuns {
   std::vector<double> from{}, to{}; ///< of the runs at these points, those that are defined
   std::vector<double> excess{};     ///< over the other read-out, of the runs at `to` that define both
   std::vector<double> all{};        ///< of all runs of the study; NaN where not defined
   std::vector<double> other{};      ///< the other read-out of these
+  MsdCurves from_msd{}, to_msd{};   ///< of the runs at these points that have one
 };
 
 /// Conditions of a claim whose p-values are corrected together.
@@ -41,8 +55,9 @@ struct ClaimReading {
 };
 
 /// The runs that a rule is about: at `from` and `to`; at a point, `at`, which counts as `to`; at the point with the
-/// lowest or the highest mean of all, which counts as `to`; or all of the study.
-enum class ClaimPoints { from_to, at, lowest, highest, all };
+/// lowest or the highest mean of all, which counts as `to`; all of the study; or the mean square displacements at
+/// `from` and `to`.
+enum class ClaimPoints { from_to, at, lowest, highest, all, curves };
 
 struct ClaimRule {
   std::string name;              ///< as it stands in files

@@ -100,6 +100,7 @@ private:
     std::vector<std::string> keys = needed;
     keys.emplace_back("rule");
     if (!has(keys, "to") && !has(keys, "at")) keys.emplace_back("study");
+    keys.emplace_back("of_edition");
     std::vector<std::string> known = keys;
     known.emplace_back("edition"); // of earlier versions
     m_faults.check_keys(table, "claims.conditions", known,
@@ -132,6 +133,8 @@ private:
       c.runs = static_cast<double>(m_faults.whole(node, full(key), 1, 1'000'000));
     else if (key == "share")
       c.share = share(node);
+    else if (key == "of_edition")
+      c.edition = static_cast<ClaimEdition>(m_faults.whole(node, full(key), 2, 3));
     else if (key == "study")
       c.study = study(node);
   }
@@ -227,6 +230,10 @@ bool Claim::depends_on(const std::string& of_study, const std::string& label) co
     if (!names_points) return is(c.study);
     return (c.from.label == label && is(c.from.study)) || (c.to.label == label && is(c.to.study));
   });
+}
+
+bool Claim::has_editions() const {
+  return std::ranges::any_of(conditions, [](const ClaimCondition& c) { return c.edition.has_value(); });
 }
 
 std::string kind_name(ClaimKind kind) { return kind_names[static_cast<std::size_t>(kind)]; }

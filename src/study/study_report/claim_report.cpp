@@ -30,6 +30,11 @@ report::Statement statement(const JudgedClaim& row, const ClaimFigures& figures)
   std::vector<std::string> conditions = row.finding.conditions;
   if (row.in_larger_disc)
     conditions.push_back(fmt::format("{}; {}", with_larger_disc(*row.in_larger_disc), row.in_larger_disc->brief));
+  std::vector<report::Sentences> details{{"Ours; intervals are of 95 %", row.finding.ours},
+                                         {"Conditions, each with its statistic", std::move(conditions)}};
+  if (row.second_edition)
+    details.push_back({fmt::format("By the second edition of the rules: {}", to_string(row.second_edition->verdict)),
+                       row.second_edition->conditions});
   return {.id = row.id,
           .kind = kind_name(row.kind),
           .sentence = row.sentence,
@@ -38,8 +43,7 @@ report::Statement statement(const JudgedClaim& row, const ClaimFigures& figures)
           .published = row.published,
           .brief = row.finding.brief,
           .why_not = why_not(row.finding),
-          .details = {{"Ours; intervals are of 95 %", row.finding.ours},
-                      {"Conditions, each with its statistic", std::move(conditions)}},
+          .details = std::move(details),
           .studies = row.studies,
           .plots = of_row(figures.plots, row.id),
           .pictures = of_row(figures.pictures, row.id)};

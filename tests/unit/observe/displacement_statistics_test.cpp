@@ -69,13 +69,46 @@ TEST(Msd, NeedsRowsAtMultiplesOfTheInterval) {
   EXPECT_EQ(mean_square_displacement(rows, 120.0).size(), 5U);
 }
 
-TEST(AngleTo, IsZeroAlongAndNinetyAcrossWithoutSign) {
+TEST(Guidance, AnglesAreZeroAlongAndNinetyAcrossWithoutSign) {
   const auto rows = walk(40, [](double k) { return Vec2(k, 0.0); });
-  EXPECT_NEAR(angle_to(rows, 0.0, 60.0), 0.0, 1e-9);
-  EXPECT_NEAR(angle_to(rows, std::numbers::pi, 60.0), 0.0, 1e-9);
-  EXPECT_NEAR(angle_to(rows, 0.5 * std::numbers::pi, 60.0), 90.0, 1e-9);
-  EXPECT_NEAR(angle_to(rows, -0.25 * std::numbers::pi, 60.0), 45.0, 1e-9);
+  const auto angles = [&](double direction, double wanted) {
+    const Guidance g = guidance(rows, direction, 60.0);
+    for (const double angle : {g.path_angle, g.step_angle, g.net_angle}) EXPECT_NEAR(angle, wanted, 1e-9);
+  };
+  angles(0.0, 0.0);
+  angles(std::numbers::pi, 0.0);
+  angles(0.5 * std::numbers::pi, 90.0);
+  angles(-0.25 * std::numbers::pi, 45.0);
   const auto circle = walk(400, [](double k) { return Vec2(std::cos(0.01571 * k), std::sin(0.01571 * k)); });
-  EXPECT_NEAR(angle_to(circle, 0.3, 60.0), 45.0, 0.5);
-  EXPECT_TRUE(std::isnan(angle_to(walk(40, [](double) { return Vec2(1.0, 1.0); }), 0.0, 60.0)));
+  EXPECT_NEAR(guidance(circle, 0.3, 60.0).path_angle, 45.0, 0.5);
+  const Guidance still = guidance(walk(40, [](double) { return Vec2(1.0, 1.0); }), 0.0, 60.0);
+  for (const double angle : {still.path_angle, still.step_angle, still.net_angle}) EXPECT_TRUE(std::isnan(angle));
+}
+
+TEST(Guidance, WeighsStepsByTheirLengthOrNot) {
+  const auto rows = walk(4, [](double k) { return Vec2(3.0 * std::ceil(0.5 * k), std::floor(0.5 * k)); });
+  const Guidance g = guidance(rows, 0.0, 60.0); // three along, one across, and again
+  EXPECT_NEAR(g.path_angle, 22.5, 1e-9);
+  EXPECT_NEAR(g.step_angle, 45.0, 1e-9);
+  EXPECT_NEAR(g.net_angle, std::atan2(2.0, 6.0) * 180.0 / std::numbers::pi, 1e-9);
+}
+
+TEST(Guidance, ToAndFroAlongTheFibresIsNotFollowingThem) {
+  // 8 um along the fibres and back in two hours, and 1 um across in an hour, for six hours
+  const auto rows = walk(360, [](double k) { return Vec2(8.0 * std::abs(std::remainder(k / 60.0, 2.0)), k / 60.0); });
+  const Guidance g = guidance(rows, 0.0, 600.0);
+  EXPECT_LT(g.path_angle, 8.0);
+  EXPECT_GT(g.ratios[0], 20.0);
+  EXPECT_GT(g.ratios[1], 2.0);
+  EXPECT_NEAR(g.ratios[2], 0.0, 1e-12);
+  EXPECT_NEAR(g.net_angle, 90.0, 1e-9);
+  EXPECT_NEAR(guidance(rows, 0.5 * std::numbers::pi, 600.0).ratios[0], 1.0 / g.ratios[0], 1e-12);
+}
+
+TEST(Guidance, HasNoRatioAtALagThatIsLongerThanThePath) {
+  const auto rows = walk(200, [](double k) { return Vec2(k, 2.0 * k); });
+  const Guidance g = guidance(rows, 0.0, 600.0);
+  EXPECT_NEAR(g.ratios[0], 0.25, 1e-12);
+  EXPECT_NEAR(g.ratios[1], 0.25, 1e-12);
+  EXPECT_TRUE(std::isnan(g.ratios[2]));
 }
