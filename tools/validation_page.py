@@ -12,6 +12,7 @@ import csv
 import difflib
 import math
 import pathlib
+import random
 import re
 import sys
 
@@ -95,6 +96,19 @@ def count(rows: list[dict[str, str]], verdict: str) -> int:
     return sum(row["verdict"] == verdict for row in rows)
 
 
+def ids(rows: list[dict[str, str]], column: str) -> str:
+    return ", ".join(row["id"] for row in rows if row[column]) or "none"
+
+
+def second_edition(rows: list[dict[str, str]]) -> str:
+    """The same by the second edition of the rules, which differs in some rows."""
+    before = [{**row, "verdict": row["verdict_second_edition"] or row["verdict"],
+               "against": row["against_second_edition"] if row["verdict_second_edition"] else row["against"]} for row in rows]
+    numbers = " / ".join(str(count(before, word)) for word in ("holds", "in direction", "does not hold"))
+    same = " as well" if [row["verdict"] for row in before] == [row["verdict"] for row in rows] else ""
+    return f"By the second edition of the [rules](#the-rules) it is {numbers}{same}, with {ids(before, 'against')} significantly against the paper."
+
+
 def bottom_line(_page: str) -> str:
     rows = rows_of(KEPT / "claims.csv")
     predicted = [row for row in rows if row["kind"] == "predicted"]
@@ -106,7 +120,8 @@ def bottom_line(_page: str) -> str:
              f"Of the {len(predicted)} predicted rows {count(predicted, 'holds')} hold, {near} {'is' if near == 1 else 'are'} in direction, "
              f"{fail} {'does' if fail == 1 else 'do'} not hold"
              + (f", and {count(predicted, 'undecided')} are to be judged." if open_rows else "."),
-             f"Significantly against the paper's direction: {', '.join(row['id'] for row in rows if row['against']) or 'none'}."]
+             f"Significantly against the paper's direction: {ids(rows, 'against')}.",
+             second_edition(rows)]
     return "\n".join(lines)
 
 
@@ -133,7 +148,9 @@ def plain(text: str) -> str:
 def verdict(row: dict[str, str]) -> str:
     """A row's verdict, and that with the cells that ended at the rim made again in a larger disc."""
     again = row["verdict_in_larger_disc"]
-    return f"**{row['verdict']}**" + (f"; with cells at the rim made again: {again}" if again else "")
+    before = row.get("verdict_second_edition")
+    return (f"**{row['verdict']}**" + (f"; with cells at the rim made again: {again}" if again else "")
+            + (f"; by the second edition of the rules: {before}{', significantly against' if row['against_second_edition'] else ''}" if before else ""))
 
 
 def by_verdict(name: str) -> str:
@@ -189,6 +206,39 @@ def constrictions(_page: str) -> str:
     return table(["constriction", *(kind.removeprefix(", ") or "with degradation" for kind in kinds[:3]), "nucleus, with degradation"], made)
 
 
+def paths_of(study: str) -> dict[str, list[list[tuple[float, float]]]]:
+    """Kept paths, each 10 minutes, by point."""
+    paths: dict[str, dict[str, list[tuple[float, float]]]] = {}
+    for row in rows_of(KEPT / f"{study}-paths.csv"):
+        paths.setdefault(row["point"], {}).setdefault(row["replicate"], []).append((float(row["x_um"]), float(row["y_um"])))
+    return {point: list(runs.values()) for point, runs in paths.items()}
+
+
+def squares(path: list[tuple[float, float]], lag: int) -> tuple[float, float]:
+    """Sums of the squared displacement along x and along y over all windows of so many intervals."""
+    steps = [(b[0] - a[0], b[1] - a[1]) for a, b in zip(path, path[lag:])]
+    return sum(x * x for x, _ in steps), sum(y * y for _, y in steps)
+
+
+def ratio(runs: list[tuple[float, float]]) -> float:
+    return sum(x for x, _ in runs) / sum(y for _, y in runs)
+
+
+def guidance(_page: str) -> str:
+    """What fibres along x do to paths: squared displacements along over across, summed over runs, with a bootstrap over runs; the net angle."""
+    made, lot = [], random.Random(1)
+    for point, paths in paths_of("kept-protrusions-fibres").items():
+        cells = []
+        for hours in (1, 3, 6):
+            runs = [squares(path, 6 * hours) for path in paths]
+            drawn = sorted(ratio(lot.choices(runs, k=len(runs))) for _ in range(4000))
+            cells.append(f"{ratio(runs):.1f} [{drawn[100]:.1f}, {drawn[3899]:.1f}]")
+        angles = [math.degrees(math.atan2(abs(path[-1][1]), abs(path[-1][0]))) for path in paths]
+        mean, sd = mean_and_sd(angles)
+        made.append([point.removeprefix("n_prot "), str(len(paths)), *cells, f"{mean:.0f} +- {sd / math.sqrt(len(angles)):.0f}"])
+    return table(["protrusions", "cells", "in 1 h", "in 3 h", "in 6 h", "net angle, degrees"], made)
+
+
 def study_means(_page: str) -> str:
     parts = []
     for name, varies in STUDIES:
@@ -214,7 +264,7 @@ def study_means(_page: str) -> str:
 
 
 PARTS = {"bottom line": bottom_line, "claims": claims, "verdicts": verdicts, "experiments": experiments,
-         "experiment verdicts": experiment_verdicts, "constrictions": constrictions, "means": study_means}
+         "experiment verdicts": experiment_verdicts, "constrictions": constrictions, "guidance": guidance, "means": study_means}
 PART = re.compile(r"(<!-- generated: ([\w ]+) -->\n).*?(<!-- end -->)", re.DOTALL)
 
 

@@ -1,10 +1,13 @@
 #include "unit/study_plan/studies.hpp"
 
 #include "claims/claims.hpp"
+#include "claims/run_msd.hpp"
 #include "claims/shipped_studies.hpp"
+#include "claims/study_claims.hpp"
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <map>
 
 namespace matrigrate::study {
@@ -49,6 +52,60 @@ std::string at(std::string_view rule, int a, const std::string& more) {
 
 const std::vector<std::vector<double>> apart{{1.0, 1.1, 1.2, 1.3}, {2.0, 2.1, 2.2, 2.3}, {2.05, 2.1, 2.2, 2.4}};
 constexpr std::string_view f = "f_mat";
+
+/// A curve of mean square displacements that grows with a power of the lag.
+std::vector<MsdPoint> power_law(double factor, double slope) {
+  std::vector<MsdPoint> points;
+  for (const double lag : {600.0, 1200.0, 1800.0, 2400.0})
+    points.push_back({.lag = lag, .msd = factor * std::pow(lag, slope), .samples = 1});
+  return points;
+}
+
+TEST(Judge, ComparesSlopesOfMeanCurves) {
+  Evidence e = evidence(f, {{1.0, 1.0, 1.0}, {1.0, 1.0, 1.0}});
+  e.at("s").msd = {power_law(1, 1.0), power_law(2, 1.0), {}, power_law(1, 1.5), power_law(3, 1.5), power_law(2, 1.5)};
+  const auto leans = [&](int from, int to, const std::string& sign) {
+    return finding(
+        e, fmt::format("{{ rule = \"msd_leans\", from = \"n_prot {}\", to = \"n_prot {}\"{} }}", from, to, sign));
+  };
+  EXPECT_EQ(leans(1, 2, up).verdict, Verdict::holds);
+  EXPECT_EQ(leans(2, 1, up).verdict, Verdict::does_not_hold);
+  EXPECT_EQ(leans(2, 1, up).against.size(), 1U);
+  EXPECT_EQ(leans(2, 1, down).verdict, Verdict::holds);
+  EXPECT_TRUE(leans(1, 2, up).brief.find("1 [1, 1] (1), 1.5 [1.5, 1.5] (2)") != std::string::npos)
+      << leans(1, 2, up).brief;
+  e.at("s").msd[1].clear();
+  EXPECT_EQ(leans(1, 2, up).verdict, Verdict::undecided); // one run is left
+}
+
+TEST(Judge, SlopeOfTheMeanCurveIsNotTheMeanOfSlopes) {
+  const MsdCurves runs{power_law(1.0, 1.0), power_law(1e-6, 2.0)};
+  EXPECT_LT(msd_slope(mean_curve(runs)), 1.1);
+  EXPECT_EQ(mean_curve({power_law(1, 1), {}}).size(), 0U);
+  EXPECT_TRUE(mean_curve({}).empty());
+}
+
+TEST(Judge, JudgesByAnEditionOfTheRules) {
+  const Evidence e = evidence(f, apart);
+  const std::string text = sweep(3)
+                           + "[[claims]]\nid = \"A1\"\nkind = \"predicted\"\nsentence = \"so it is\"\nconditions = ["
+                           + between("leans", 1, 2, up) + between("differs", 1, 2, down + ", of_edition = 2")
+                           + between("differs", 1, 2, up + ", of_edition = 3") + "]\n";
+  Claim claim = read(text).claims.front();
+  claim.study = "s";
+  EXPECT_EQ(judged(claim, e).verdict, Verdict::holds);
+  EXPECT_EQ(judged(claim, e).conditions.size(), 2U);
+  const JudgedClaim row = judged_claim(claim, e);
+  ASSERT_TRUE(row.second_edition);
+  EXPECT_EQ(row.second_edition->verdict, Verdict::does_not_hold);
+  EXPECT_EQ(row.second_edition->against.size(), 1U);
+  const std::string table = claims_csv({row});
+  EXPECT_TRUE(table.substr(0, table.find('\n'))
+                  .ends_with(",caveat,verdict_second_edition,why_not_second_edition,against_second_edition"))
+      << table;
+  std::erase_if(claim.conditions, [](const ClaimCondition& c) { return c.edition.has_value(); });
+  EXPECT_FALSE(judged_claim(claim, e).second_edition);
+}
 
 TEST(Judge, EachCondition) {
   const Evidence e = evidence(f, apart);
