@@ -51,6 +51,7 @@ for folder in "$from"/*/; do
   case $study in # beside the results what the figures are drawn from
   stiffness) tables="results paths msd shapes adhesions" ;;
   kept-protrusions | kept-protrusions-fibres) tables="results paths msd shapes" ;;
+  kept-protrusions-larger-disc | kept-protrusions-fibres-larger-disc) tables="results paths" ;; # E4 takes slopes from paths
   sensitive-adhesions | insensitive-adhesions) tables="results adhesions" ;;
   esac
   for table in $tables; do
