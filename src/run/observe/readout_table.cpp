@@ -54,7 +54,7 @@ std::span<const ReadOutSpec> readout_table() {
        .meaning = "log-log slope of the mean square displacement, lags of 10 min to half the run",
        .value = [](const ReadOuts& r) -> Value { return r.msd_slope; }, .usual = true,
        .least = -1e12},
-      {.name = "path_angle_deg", .label = "path_angle_weighted", .unit = "degrees",
+      {.name = "path_angle_deg", .label = "path_angle", .unit = "degrees",
        .meaning = "mean angle of the path to uniaxial fibres, each step of 600 s weighted by its length",
        .value = [](const ReadOuts& r) -> Value { return r.path_angle; }, .of_fibres = true, .most = 90.0},
       {.name = "f_mat_along", .label = "f_mat_along", .unit = "-",

@@ -72,7 +72,7 @@ TEST(Judge, ComparesSlopesOfMeanCurves) {
   EXPECT_EQ(leans(2, 1, up).verdict, Verdict::does_not_hold);
   EXPECT_EQ(leans(2, 1, up).against.size(), 1U);
   EXPECT_EQ(leans(2, 1, down).verdict, Verdict::holds);
-  EXPECT_TRUE(leans(1, 2, up).brief.find("1 [1, 1] (1), 1.5 [1.5, 1.5] (2)") != std::string::npos)
+  EXPECT_TRUE(leans(1, 2, up).brief.find("1 [1, 1] (n_prot 1), 1.5 [1.5, 1.5] (n_prot 2)") != std::string::npos)
       << leans(1, 2, up).brief;
   e.at("s").msd[1].clear();
   EXPECT_EQ(leans(1, 2, up).verdict, Verdict::undecided); // one run is left
