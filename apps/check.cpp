@@ -5,6 +5,7 @@
 #include "claims/shipped_studies.hpp"
 #include "parameters/closures.hpp"
 #include "parameters/judge.hpp"
+#include "parameters/laws/law.hpp"
 #include "parameters/read.hpp"
 #include "run/estimate.hpp"
 #include "simulation/start_rules.hpp"
@@ -52,6 +53,7 @@ void look_at_model(const Parameters& p, Finding& found) {
   found.closures = closures_text(closures);
   for (const std::string& note : {closures_note(closures), run::note_of_scenario(p), run::note_of_drag(p)})
     if (!note.empty()) found.notes.push_back(note);
+  for (std::string& note : law_notes(p)) found.notes.push_back(std::move(note));
 }
 
 Finding look_at(const std::string& file, const std::vector<std::string>& overrides) {

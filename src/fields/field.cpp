@@ -41,6 +41,11 @@ const std::string& Field::column() const {
   return grid == nullptr ? none : (*grid)->samples.column;
 }
 
+std::string Field::chained() const {
+  const auto* formula = std::get_if<Formula>(&m_source->of);
+  return formula == nullptr ? std::string() : formula->chained();
+}
+
 std::string Field::description() const {
   const auto* grid = std::get_if<std::shared_ptr<const Grid>>(&m_source->of);
   if (grid == nullptr) return "a formula";

@@ -46,6 +46,9 @@ public:
   /// "a formula", or "a grid of 301 x 301 nodes from (-150, -150) to (150, 150) um".
   std::string description() const;
 
+  /// What is wrong with a formula that compares three values at once, -5 < y < 5; empty of all others.
+  std::string chained() const;
+
   /// The text that gives the same field anywhere: of a file with its whole path and a fingerprint of its content
   /// ("hash=..."), by which a file that has changed is refused.
   const std::string& text() const { return m_text; }

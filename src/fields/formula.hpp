@@ -17,6 +17,9 @@ public:
   /// Its value at a point [um]; NaN or infinite where the formula is so. Not to be called by several threads at once.
   double at(const Vec2& x) const;
 
+  /// As FormulaTree::chained.
+  const std::string& chained() const { return m_expression.tree().chained; }
+
 private:
   Expression m_expression;
 };

@@ -237,6 +237,7 @@ std::vector<std::string> warnings(const Parameters& p, const Derived& d) {
                     p.run.duration, d.shear_time));
   for (const std::string& sentence : uneven_outputs(p)) found.push_back(sentence + ".");
   if (const std::string bias = fault_of_bias(p); !bias.empty()) found.push_back(bias + ".");
+  for (const std::string& sentence : law_notes(p)) found.push_back(sentence + ".");
   for (const std::string& note : {closures_note(closures_of(p)), note_of_scenario(p), note_of_drag(p)})
     if (!note.empty()) found.push_back(note + ".");
   if (p.ecm.hourglass_weight == 0.0)

@@ -88,6 +88,12 @@ std::string fault_of_field(const Parameters& p, const Row& row) {
   return {};
 }
 
+std::string fault_of_chained_field(const Parameters& p, const Row& row) {
+  if (!fault_of_field(p, row).empty()) return {};
+  const auto field = numbers_of(p, row.path);
+  return field ? field->chained() : std::string();
+}
+
 std::string fault_of_obstacles(const Parameters& p) {
   const Row& row = *find_row("ecm.fields.obstacle");
   if (!fault_of_field(p, row).empty()) return {};

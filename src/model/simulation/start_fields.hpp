@@ -21,6 +21,10 @@ MatrixFields matrix_fields(const Parameters& p);
 /// field.
 std::string fault_of_field(const Parameters& p, const Row& row);
 
+/// What is wrong with a field that is a formula and compares three values at once. Runs of earlier versions have such
+/// fields, so they are refused at the start only.
+std::string fault_of_chained_field(const Parameters& p, const Row& row);
+
 /// Message that names a place at which an obstacle lies on a cell, or in the fluid margin around it, at the start.
 /// Empty if there is no such place, or if the field itself has a fault.
 std::string fault_of_obstacles(const Parameters& p);

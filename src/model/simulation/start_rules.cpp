@@ -103,7 +103,8 @@ std::vector<Rule> with_fields_and_laws(std::vector<Rule> rules) {
   for (const Row& row : schema())
     if (kind(row) == Kind::field)
       rules.push_back({"the values of a field are allowed", {row.path}, [&row](const Parameters& p) {
-                         return fault_of_field(p, row);
+                         const std::string fault = fault_of_field(p, row);
+                         return fault.empty() ? fault_of_chained_field(p, row) : fault;
                        }});
   return rules;
 }

@@ -1,6 +1,7 @@
 #include "parameters/laws/law.hpp"
 
 #include "base/failure.hpp"
+#include "parameters/laws/law_units.hpp"
 #include "parameters/laws/law_values.hpp"
 #include "parameters/nearest.hpp"
 #include "parameters/scan.hpp"
@@ -10,6 +11,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <optional>
 #include <stdexcept>
 
 namespace matrigrate {
@@ -32,6 +34,9 @@ std::string name_of(std::string_view symbol) {
   std::ranges::replace(name, ',', '_');
   return name;
 }
+
+/// The pull of both strands of a protrusion at full maturation, 2 F_am: F/(f_mat*F_both) is f_adh_rel.
+constexpr const char* both_strands = "F_both";
 
 bool is_variable(std::string_view name) {
   return std::ranges::any_of(law_rows(), [&](const Row& law) {
@@ -67,14 +72,21 @@ bool is_name(std::string_view name) {
 /// Whom a name belongs to that a user cannot give; empty if to nobody.
 std::string owner_of(const std::string& name) {
   if (is_variable(name)) return "an argument of a law";
+  if (name == both_strands) return "2 F_am";
   if (fields::in_every_formula(name)) return "known to every formula";
   for (const Row& row : schema())
     if (has_name(row) && name_of(row.symbol) == name) return std::string(row.path);
   return {};
 }
 
+/// A constant of the user; without a dimension where its value has no unit.
+struct Constant {
+  fields::NamedNumber number;
+  std::optional<units::Dimension> dimension;
+};
+
 /// "F_c = 0.1 nN".   @throws std::invalid_argument
-fields::NamedNumber constant_of(std::string_view text) {
+Constant constant_of(std::string_view text) {
   const std::size_t equals = text.find('=');
   const std::string name = trimmed(text.substr(0, equals));
   if (equals == std::string_view::npos)
@@ -93,19 +105,21 @@ fields::NamedNumber constant_of(std::string_view text) {
     if (quantity.unit.find("Pa") != std::string::npos && !is_of_stresses(unit.dimension))
       throw std::invalid_argument(
           "mixes Pa with another length or force; write it with nN and um: 1 Pa is 1e-3 nN/um^2");
-    return {name, units::to_internal(quantity.number, unit) * in_formulas(unit.dimension)};
+    return {{name, units::to_internal(quantity.number, unit) * in_formulas(unit.dimension)},
+            quantity.unit.empty() ? std::nullopt : std::optional(unit.dimension)};
   } catch (const std::invalid_argument& error) {
     throw std::invalid_argument(fmt::format("the value of {} {}", name, excerpt(error.what(), 200)));
   }
 }
 
-std::vector<fields::NamedNumber> constants_of(const std::string& text) {
-  std::vector<fields::NamedNumber> all;
+std::vector<Constant> constants_of(const std::string& text) {
+  std::vector<Constant> all;
   for (std::size_t begin = 0; !trimmed(text).empty() && begin <= text.size();) {
     const std::size_t end = std::min(text.find(',', begin), text.size());
-    fields::NamedNumber one = constant_of(std::string_view(text).substr(begin, end - begin));
-    if (std::ranges::find(all, one.name, &fields::NamedNumber::name) != all.end())
-      throw std::invalid_argument(fmt::format("{} is given twice", one.name));
+    Constant one = constant_of(std::string_view(text).substr(begin, end - begin));
+    const std::string& name = one.number.name;
+    if (std::ranges::any_of(all, [&](const Constant& other) { return other.number.name == name; }))
+      throw std::invalid_argument(fmt::format("{} is given twice", name));
     all.push_back(std::move(one));
     begin = end + 1;
   }
@@ -116,6 +130,35 @@ std::vector<std::string_view> names_of(std::span<const LawVariable> variables) {
   std::vector<std::string_view> names;
   for (const LawVariable& variable : variables) names.push_back(variable.name);
   return names;
+}
+
+/// Of lengths, times and forces; an angle counts as a number.
+units::Dimension without_angle(units::Dimension dimension) {
+  dimension.angle = 0;
+  return dimension;
+}
+
+/// The dimensions of what a law may name.
+DimensionOf dimensions(const Row& law, const Parameters& p) {
+  return [&law, constants = constants_of(p.laws.constants)](std::string_view name) -> std::optional<units::Dimension> {
+    for (const LawVariable& variable : law_variables(law))
+      if (variable.name == name) return without_angle(units::parse_unit(variable.unit).dimension);
+    for (const Constant& constant : constants)
+      if (constant.number.name == name) return constant.dimension;
+    if (name == both_strands) return units::Dimension{.force = 1000};
+    for (const Row& row : schema())
+      if (has_name(row) && name_of(row.symbol) == name) return without_angle(units::parse_unit(row.unit).dimension);
+    return units::Dimension{}; // of pi and e
+  };
+}
+
+/// What a law may name, in words: "F, f_mat, t, F_c, your constants and symbols of parameters".
+std::string known_names(const Row& law, const Parameters& p) {
+  std::string text;
+  for (const LawVariable& variable : law_variables(law)) text += fmt::format("{}, ", variable.name);
+  for (const Constant& constant : constants_of(p.laws.constants)) text += fmt::format("{}, ", constant.number.name);
+  return fmt::format("; names here are {}{}symbols of parameters; define others in [laws.constants]", text,
+                     text.empty() ? "" : "and ");
 }
 
 /// The value in its unit: "0.3 nN".
@@ -134,8 +177,14 @@ fields::Expression law_formula(const Row& law, const Parameters& p, const std::s
   } catch (const fields::UnknownName& error) {
     std::vector<std::string> known(variables.begin(), variables.end());
     for (const fields::NamedNumber& name : names) known.push_back(name.name);
-    throw std::invalid_argument(fmt::format("{}{}", error.what(), did_you_mean(nearest(error.name, known))));
+    constexpr std::size_t telling = 3; // letters: of fewer any other name is near
+    const std::string meant = error.name.size() < telling ? "" : did_you_mean(nearest(error.name, known));
+    throw std::invalid_argument(fmt::format("{}{}", error.what(), meant.empty() ? known_names(law, p) : meant));
   }
+}
+
+std::string law_unit_fault(const Row& law, const Parameters& p, const fields::Expression& formula) {
+  return fault_of_units(formula.tree().whole, dimensions(law, p), units::parse_unit(law.unit).dimension);
 }
 
 std::string law_arguments(const Row& law, std::span<const double> arguments, const std::vector<bool>& named) {
@@ -158,7 +207,9 @@ std::string law_fault(const Row& law, double value, const std::string& where) {
 }
 
 std::vector<fields::NamedNumber> law_names(const Parameters& p) {
-  std::vector<fields::NamedNumber> names = constants_of(p.laws.constants);
+  std::vector<fields::NamedNumber> names;
+  for (const Constant& constant : constants_of(p.laws.constants)) names.push_back(constant.number);
+  names.push_back({both_strands, 2.0 * p.actomyosin.force});
   Parameters q = p;
   for (const Row& row : schema())
     if (has_name(row)) names.push_back({name_of(row.symbol), number_of(row, q)});
@@ -203,6 +254,26 @@ std::string fault_of_law(const Parameters& p, const Row& law) {
   } catch (const std::invalid_argument& error) {
     return error.what();
   }
+}
+
+std::vector<std::string> law_notes(const Parameters& p) {
+  std::vector<std::string> notes;
+  if (!fault_of_constants(p).empty()) return notes;
+  std::vector<std::string> named;
+  for (const Row* law : changed_laws(p)) {
+    if (!fault_of_law(p, *law).empty()) return notes;
+    const fields::Expression formula = law_formula(*law, p, text_of(*law, p));
+    fields::for_each_part(formula.tree().whole, [&](const fields::Part& part) {
+      if (part.kind == fields::Part::Kind::name) named.push_back(part.text);
+    });
+    for (const std::string& never : steady_comparisons(p, *law))
+      notes.push_back(fmt::format("{}: {}", law->path, never));
+  }
+  for (const Constant& constant : constants_of(p.laws.constants))
+    if (std::ranges::find(named, constant.number.name) == named.end())
+      notes.push_back(
+          fmt::format("laws.constants: {} stands in no law that differs from the default", constant.number.name));
+  return notes;
 }
 
 const std::string& usual_text(const Row& law) {

@@ -60,9 +60,14 @@ private:
 std::string fault_of_constants(const Parameters& p);
 std::string fault_of_law(const Parameters& p, const Row& law);
 
-/// Where a changed law that can be read has a value that is not allowed, between the bounds of its variables: the
-/// arguments, and the place in the formula; empty if nowhere.
+/// Why no run begins with a changed law that can be read: it compares three values at once, its units do not agree, or
+/// a value is not allowed between the bounds of its variables (with the arguments, and the place in the formula). Empty
+/// if nothing is wrong.
 std::string fault_of_law_values(const Parameters& p, const Row& law);
+
+/// What is doubtful about the changed laws, a sentence each: constants that none names, and comparisons that come out
+/// alike wherever a law is judged, such as angle < 90 of an angle in rad.
+std::vector<std::string> law_notes(const Parameters& p);
 
 /// The values of a law over one of its variables, the others at their usual values.
 struct LawCurve {

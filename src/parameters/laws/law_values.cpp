@@ -183,21 +183,63 @@ std::vector<double> law_numbers(const Row& law, const Parameters& p) {
   return all;
 }
 
+namespace {
+
+std::vector<bool> used_by(const fields::Expression& formula, const Row& law) {
+  std::vector<bool> used;
+  for (std::size_t k = 0; k < law_variables(law).size(); ++k) used.push_back(formula.uses(k));
+  return used;
+}
+
+/// The points of each variable at which a law is judged.
+std::vector<std::vector<double>> grid(const Row& law, const std::vector<bool>& used, std::vector<double> numbers) {
+  const auto count = static_cast<double>(std::ranges::count(used, true));
+  if (count > 2) numbers.clear(); // the grid would be too large
+  const auto points = 2 * static_cast<std::size_t>(0.4 * std::pow(most_points, 1.0 / std::max(1.0, count))) + 1;
+  const auto variables = law_variables(law);
+  std::vector<std::vector<double>> axes;
+  for (std::size_t k = 0; k < variables.size(); ++k)
+    axes.push_back(used[k] ? axis(variables[k], points, numbers) : std::vector<double>{variables[k].usual});
+  return axes;
+}
+
+} // namespace
+
+std::vector<std::string> steady_comparisons(const Parameters& p, const Row& law) {
+  const fields::Expression whole = law_formula(law, p, text_of(law, p));
+  std::vector<std::string> found;
+  fields::for_each_part(whole.tree().whole, [&](const fields::Part& part) {
+    if (!fields::is_comparison(part)) return;
+    const fields::Expression comparison = law_formula(law, p, fields::written(part));
+    const std::vector<bool> used = used_by(comparison, law);
+    if (std::ranges::find(used, true) == used.end()) return; // of constants alone
+    bool some = false, all = true;
+    over_grid(grid(law, used, {}), [&](const std::vector<double>& arguments) {
+      const bool holds = comparison.at(arguments) != 0.0;
+      some = some || holds;
+      all = all && holds;
+      return all || !some;
+    });
+    if (some && !all) return;
+    std::string where;
+    for (std::size_t k = 0; k < used.size(); ++k)
+      if (const LawVariable& v = law_variables(law)[k]; used[k])
+        where += fmt::format("{}{} from {:g} to {:g}{}{}", where.empty() ? "" : ", ", v.name, v.low, v.high,
+                             v.unit.empty() ? "" : " ", v.unit);
+    found.push_back(fmt::format("{}, at character {}, {} wherever the law is judged ({}, on a grid)",
+                                fields::written(part), part.at, all ? "holds" : "does not hold", where));
+  });
+  return found;
+}
+
 std::string fault_of_law_values(const Parameters& p, const Row& law) {
   if (!is_changed(law, p) || !fault_of_constants(p).empty() || !fault_of_law(p, law).empty()) return {};
   const std::string& text = text_of(law, p);
   const fields::Expression formula = law_formula(law, p, text);
-  const auto variables = law_variables(law);
-  std::vector<bool> used;
-  for (std::size_t k = 0; k < variables.size(); ++k) used.push_back(formula.uses(k));
-  const auto count = static_cast<double>(std::ranges::count(used, true));
-  const std::vector<double> numbers =
-      count > 2 ? std::vector<double>{}
-                : numbers_in(text, law_names(p)); // of more variables the grid would be too large
-  const auto points = 2 * static_cast<std::size_t>(0.4 * std::pow(most_points, 1.0 / std::max(1.0, count))) + 1;
-  std::vector<std::vector<double>> axes;
-  for (std::size_t k = 0; k < variables.size(); ++k)
-    axes.push_back(used[k] ? axis(variables[k], points, numbers) : std::vector<double>{variables[k].usual});
+  if (!formula.tree().chained.empty()) return formula.tree().chained;
+  if (std::string fault = law_unit_fault(law, p, formula); !fault.empty()) return fault;
+  const std::vector<bool> used = used_by(formula, law);
+  const std::vector<std::vector<double>> axes = grid(law, used, numbers_in(text, law_names(p)));
   const auto excess = [&](double value) { return std::max(law.range.low - value, value - law.range.high); };
   std::vector<double> worst; // its arguments
   double most = 0.0;

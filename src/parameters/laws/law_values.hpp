@@ -17,6 +17,13 @@ std::vector<double> law_numbers(const Row& law, const Parameters& p);
 /// @throws std::invalid_argument saying what is wrong, where, and which name may be meant
 fields::Expression law_formula(const Row& law, const Parameters& p, const std::string& text);
 
+/// What is wrong with the units of a law (law_units.hpp); empty if nothing is.
+std::string law_unit_fault(const Row& law, const Parameters& p, const fields::Expression& formula);
+
+/// The comparisons of a law that can be read which come out alike at all points of its grid: "angle < 90, at character
+/// 1, holds wherever the law is judged (angle from -3.14159 to 3.14159 rad)".
+std::vector<std::string> steady_comparisons(const Parameters& p, const Row& law);
+
 /// "F = 0.3 nN, f_mat = 0.5".   @param named  which variables are told
 std::string law_arguments(const Row& law, std::span<const double> arguments, const std::vector<bool>& named);
 

@@ -337,6 +337,7 @@ TEST(Claims, AreJudgedByTheStudiesThatTheyName) {
     for (const std::string& name : claim.studies()) {
       const Study s = parse_study(shipped_file(name).text, name, ".");
       std::vector<Result> results;
+      MsdCurves curves;
       for (std::size_t i = 0; i < s.points.size(); ++i)
         for (std::size_t k = 1; k <= 5; ++k) { // any numbers without much scatter, so that nothing is undecided
           std::vector<double> values(all_readouts().size());
@@ -345,8 +346,12 @@ TEST(Claims, AreJudgedByTheStudiesThatTheyName) {
           Result& r = results.emplace_back();
           r.run.point = i;
           r.readouts = values;
+          const double slope = 1.0 + 0.05 * static_cast<double>(i * 7 % 11) + 1e-3 * static_cast<double>(k);
+          std::vector<MsdPoint>& curve = curves.emplace_back();
+          for (const double lag : {600.0, 1200.0, 5400.0, 10800.0})
+            curve.push_back({.lag = lag, .msd = std::pow(lag, slope), .samples = 10});
         }
-      e.emplace(name, Ensemble{s, results});
+      e.emplace(name, Ensemble{s, results, curves});
     }
     const Finding found = judged(claim, e);
     EXPECT_NE(found.verdict, Verdict::undecided) << claim.id;

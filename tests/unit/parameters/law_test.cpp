@@ -225,6 +225,12 @@ INSTANTIATE_TEST_SUITE_P(
         Bad{"growth_force", "1e200", "; allowed is >= 0 and <= 100"},
         Bad{"degradation_body", "r_degr_body*p", "p = -10000 Pa"},
         Bad{"initiation_bias", "exp(1000*occupancy)", "allowed is >= 0 and <= 1e+300"},
+        // comparisons of three
+        Bad{"disassembly_rate", "0.05 < F < 0.2 ? 0.0001 : 0.01",
+            "at character 10: < 0.2 would compare 0 or 1 with 0.2, since 0.05 < F is 0 or 1; compare twice: 0.05 < F "
+            "&& F < "
+            "0.2"},
+        Bad{"growth_force", "A == l == t ? 0 : 1", "compare twice: A == l && l == t"},
         Bad{"initiation_rate", "-cos(angle)", "at angle = "}));
 
 TEST(LawFaults, OfConstantsAreToldOnce) {
@@ -262,6 +268,62 @@ TEST(LawFaults, StandAtTheirKeys) {
             std::string::npos);
   EXPECT_NE(fault_of("", {"laws.initiation_bias=exp(3*occupancy)"}).find("there is no attractant to sense"),
             std::string::npos);
+}
+
+/// What is wrong with the disassembly rate and constants.
+std::string fault_of_rate(const std::string& law, const std::string& constants) {
+  Parameters p;
+  p.laws.disassembly_rate = law;
+  p.laws.constants = constants;
+  return fault_of_law_values(p, *find_row("laws.disassembly_rate"));
+}
+
+TEST(LawUnits, OfSumsFunctionsAndTheWholeAgree) {
+  const std::string slip = "r_off_min + r_c*exp(-F/F_c)";
+  EXPECT_EQ(fault_of_rate(slip, "r_c = 0.2 1/s, F_c = 50 pN"), "");
+  EXPECT_EQ(fault_of_rate(slip, "r_c = 12 1/min, F_c = 0.05 nN"), "");
+  EXPECT_NE(fault_of_rate(slip, "r_c = 0.2 1/s, F_c = 50 Pa").find("exp takes a number without a unit"),
+            std::string::npos);
+  EXPECT_NE(fault_of_rate(slip, "r_c = 0.2 s, F_c = 50 pN").find("r_off_min is "), std::string::npos);
+  EXPECT_NE(fault_of_rate("k*F", "k = 1 1/s").find(" is wanted"), std::string::npos);
+  EXPECT_EQ(fault_of_rate("k*F", "k = 1e-3 1/s/nN"), "");
+  EXPECT_EQ(fault_of_rate("k*min(F, F_c)^2", "k = 1e-3 1/s/nN^2, F_c = 1 nN"), "");
+  EXPECT_NE(fault_of_rate("F > t_c ? r_off_min : r_off_0", "t_c = 1 s").find("at character 1: F is "),
+            std::string::npos);
+  EXPECT_NE(fault_of_rate("F > F_c ? r_off_min : F", "F_c = 1 nN").find("r_off_min is "), std::string::npos);
+  EXPECT_EQ(fault_of_rate("F > 0.2 ? 1e-4 : r_off_min", ""), "") << "a number that is written out fits everywhere";
+  EXPECT_EQ(fault_of_rate("1e-3*F/(f_mat*F_both)", ""), "") << "the share of the pull of both strands";
+}
+
+// Eq. 9 and the rupture ratio take the force of both strands.
+TEST(LawNames, HaveThePullOfBothStrands) {
+  Parameters p;
+  p.laws.disassembly_rate = "1e-3*F/(f_mat*F_both)";
+  EXPECT_DOUBLE_EQ(Law("laws.disassembly_rate", p)({0.6, 0.5, 0.0}), 1e-3 * 0.6 / (0.5 * 2.0 * p.actomyosin.force));
+  p.laws.constants = "F_both = 1 nN";
+  EXPECT_NE(fault_of_constants(p).find("F_both is taken"), std::string::npos);
+}
+
+TEST(LawNotes, SayWhatIsDoubtful) {
+  Parameters p;
+  EXPECT_TRUE(law_notes(p).empty());
+  p.laws.initiation_rate = "r_prot*(angle < 90)";
+  p.laws.constants = "n = 2, F_c = 1 nN";
+  std::vector<std::string> notes = law_notes(p);
+  ASSERT_EQ(notes.size(), 3U);
+  EXPECT_EQ(notes[0].find("laws.initiation_rate: angle < 90, at character 9, holds wherever the law is judged"), 0U)
+      << notes[0];
+  EXPECT_EQ(notes[1].find("laws.constants: n stands in no law"), 0U) << notes[1];
+  p.laws.initiation_rate = "n*r_prot*(angle < 1)";
+  EXPECT_EQ(law_notes(p).size(), 1U) << "F_c alone";
+}
+
+TEST(LawFaults, OfShortNamesListWhatThereIs) {
+  Parameters p;
+  p.laws.disassembly_rate = "x*r_off_min";
+  const std::string fault = fault_of_law(p, *find_row("laws.disassembly_rate"));
+  EXPECT_NE(fault.find("there is no x; names here are F, f_mat, t, and symbols of parameters"), std::string::npos)
+      << fault;
 }
 
 } // namespace

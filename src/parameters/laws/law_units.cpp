@@ -1,0 +1,150 @@
+#include "parameters/laws/law_units.hpp"
+
+#include "parameters/units.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdlib>
+#include <stdexcept>
+
+namespace matrigrate {
+
+namespace {
+
+using fields::Part;
+using units::Dimension;
+
+/// The dimension of a part, as far as it is certain: a plain number may stand for a quantity.
+struct Known {
+  Dimension dimension;
+  bool certain = true;
+};
+
+constexpr std::array same_as_argument{"abs", "rint", "floor", "ceil"};
+constexpr std::array alike{"min", "max", "sum", "avg", "mod"};
+
+bool is_one_of(const auto& names, const std::string& name) { return std::ranges::find(names, name) != names.end(); }
+
+Dimension power(const Dimension& of, double exponent) {
+  const auto times = [exponent](int thousandths) { return static_cast<int>(exponent * thousandths); };
+  return {times(of.length), times(of.time), times(of.force), times(of.angle)};
+}
+
+Dimension product(const Dimension& a, const Dimension& b, int sign) {
+  return {a.length + sign * b.length, a.time + sign * b.time, a.force + sign * b.force, a.angle + sign * b.angle};
+}
+
+std::string said(const Dimension& dimension) {
+  return dimension == Dimension{} ? "a number without a unit" : units::to_string(dimension);
+}
+
+class Units {
+public:
+  explicit Units(const DimensionOf& of_name) : m_of_name(of_name) {}
+
+  /// @throws std::invalid_argument saying which parts do not agree, and where
+  Known of(const Part& part) const {
+    switch (part.kind) {
+    case Part::Kind::number:
+      return {{}, false};
+    case Part::Kind::name: {
+      const std::optional<Dimension> named = m_of_name(part.text);
+      return named ? Known{*named, true} : Known{{}, false};
+    }
+    case Part::Kind::prefix:
+      return part.text == "-" ? of(part.parts[0]) : Known{};
+    case Part::Kind::infix:
+      return of_infix(part);
+    case Part::Kind::choice:
+      of(part.parts[0]);
+      return agreeing(part, part.parts[1], part.parts[2]);
+    default:
+      return of_call(part);
+    }
+  }
+
+private:
+  Known agreeing(const Part& whole, const Part& a, const Part& b) const {
+    const Known first = of(a), second = of(b);
+    if (first.certain && second.certain && first.dimension != second.dimension)
+      throw std::invalid_argument(fmt::format("at character {}: {} is {}, but {} is {}", whole.at, written(a),
+                                              said(first.dimension), written(b), said(second.dimension)));
+    return first.certain ? first : second;
+  }
+
+  void require_number(const Part& of_part, std::string_view taken_by) const {
+    const Known known = of(of_part);
+    if (known.certain && known.dimension != Dimension{})
+      throw std::invalid_argument(fmt::format("at character {}: {} is {}, but {} takes a number without a unit",
+                                              of_part.at, written(of_part), said(known.dimension), taken_by));
+  }
+
+  Known of_infix(const Part& part) const {
+    const Part& a = part.parts[0];
+    const Part& b = part.parts[1];
+    if (part.text == "^") return of_power(a, b);
+    if (part.text == "+" || part.text == "-") return agreeing(part, a, b);
+    if (part.text == "*" || part.text == "/") {
+      const Known first = of(a), second = of(b);
+      return {product(first.dimension, second.dimension, part.text == "*" ? 1 : -1), first.certain && second.certain};
+    }
+    if (is_comparison(part)) {
+      agreeing(part, a, b);
+    } else {
+      of(a);
+      of(b);
+    }
+    return {};
+  }
+
+  Known of_power(const Part& base, const Part& exponent) const {
+    require_number(exponent, "an exponent");
+    const Known known = of(base);
+    if (known.dimension == Dimension{}) return known;
+    const bool negative = exponent.kind == Part::Kind::prefix && exponent.text == "-";
+    const Part& size = negative ? exponent.parts[0] : exponent;
+    if (size.kind != Part::Kind::number) return {{}, false};
+    const double number = std::strtod(size.text.c_str(), nullptr);
+    return {power(known.dimension, negative ? -number : number), known.certain};
+  }
+
+  Known of_call(const Part& part) const {
+    if (part.text == "sqrt") {
+      const Known known = of(part.parts[0]);
+      return {power(known.dimension, 0.5), known.certain};
+    }
+    if (is_one_of(same_as_argument, part.text)) return of(part.parts[0]);
+    if (is_one_of(alike, part.text)) {
+      Known found = of(part.parts[0]);
+      for (std::size_t k = 1; k < part.parts.size(); ++k) {
+        const Known both = agreeing(part, part.parts[0], part.parts[k]);
+        if (!found.certain) found = both;
+      }
+      return found;
+    }
+    for (const Part& argument : part.parts)
+      if (part.text == "sign" || part.text == "atan2")
+        of(argument);
+      else
+        require_number(argument, part.text);
+    return {};
+  }
+
+  const DimensionOf& m_of_name;
+};
+
+} // namespace
+
+std::string fault_of_units(const Part& whole, const DimensionOf& of_name, const Dimension& wanted) {
+  try {
+    const Known known = Units(of_name).of(whole);
+    if (!known.certain || known.dimension == wanted) return {};
+    return fmt::format("is {}, but {} is wanted", said(known.dimension), said(wanted));
+  } catch (const std::invalid_argument& error) {
+    return fmt::format("mixes units {}", error.what());
+  }
+}
+
+} // namespace matrigrate

@@ -1,0 +1,22 @@
+#pragma once
+
+#include "fields/formula_tree.hpp"
+#include "parameters/units.hpp"
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+
+/// Whether the units of a formula agree. Test: tests/unit/parameters/law_test.cpp
+namespace matrigrate {
+
+/// The dimension of a name; none where it is a number without a unit, which may stand for any quantity.
+using DimensionOf = std::function<std::optional<units::Dimension>(std::string_view)>;
+
+/// What is wrong with the units of a formula: sums, comparisons, both values of a choice, arguments of min and max must
+/// agree; arguments of exp and other functions, and exponents, are numbers; the whole is what is wanted. A number that
+/// is written out fits everywhere, and so does what is multiplied with one. Empty if nothing is.
+std::string fault_of_units(const fields::Part& whole, const DimensionOf& of_name, const units::Dimension& wanted);
+
+} // namespace matrigrate
