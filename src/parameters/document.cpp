@@ -20,13 +20,41 @@ bool is_after_equals(std::string_view text, std::uint32_t line, std::uint32_t co
   return text.substr(0, std::min<std::size_t>(column, text.find('\n'))).find('=') != std::string_view::npos;
 }
 
+bool is_control(char c) {
+  const auto code = static_cast<unsigned char>(c);
+  return (code < 0x20 && c != '\t' && c != '\n' && c != '\r') || code == 0x7f;
+}
+
 } // namespace
+
+std::optional<Fault> fault_of_texts(const toml::node& node, const std::string& name) {
+  std::optional<Fault> found;
+  if (const auto* text = node.as_string()) {
+    const auto at = std::ranges::find_if(text->get(), is_control);
+    if (at != text->get().end()) {
+      const auto place = node.source().begin;
+      found = Fault{name, static_cast<int>(place.line), static_cast<int>(place.column), "",
+                    fmt::format("a text holds the control character U+{:04X}; programs would read what stands before "
+                                "it alone, or differ in what they read",
+                                static_cast<unsigned>(static_cast<unsigned char>(*at)))};
+    }
+  } else if (const auto* table = node.as_table()) {
+    for (const auto& [key, value] : *table)
+      if (!found) found = fault_of_texts(value, name);
+  } else if (const auto* array = node.as_array()) {
+    for (const toml::node& value : *array)
+      if (!found) found = fault_of_texts(value, name);
+  }
+  return found;
+}
 
 std::variant<toml::table, Fault> parse_document(std::string_view text, const std::string& name) {
   if (const auto finding = unreadable(text)) return Fault{name, finding->line, finding->column, "", finding->message};
   if (text.starts_with("\xef\xbb\xbf")) text.remove_prefix(3); // a byte order mark is no character of the first line
   try {
-    return toml::parse(text);
+    toml::table table = toml::parse(text);
+    if (std::optional<Fault> fault = fault_of_texts(table, name)) return std::move(*fault);
+    return table;
   } catch (const toml::parse_error& error) {
     const auto place = error.source().begin;
     const bool in_value = is_after_equals(text, place.line, place.column);

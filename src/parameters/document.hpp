@@ -6,6 +6,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -13,10 +14,14 @@
 /// From the text of a file to its table. Test: tests/unit/parameters/hostile_test.cpp
 namespace matrigrate {
 
-/// The table of a TOML text, or the first thing that keeps it from being one: bytes that are no text, nesting that is
-/// too deep, a syntax error. Takes a time linear in the length of the text.
+/// The table of a TOML text, or the first thing that keeps it from being one: bytes that are no text, control
+/// characters, nesting that is too deep, a syntax error. Takes a time linear in the length of the text.
 /// @param name  the file, as it stands in the fault
 std::variant<toml::table, Fault> parse_document(std::string_view text, const std::string& name);
+
+/// The first text in a node that holds a control character other than a tab or the end of a line: a NUL, say, at which
+/// what is written in C stops reading.
+std::optional<Fault> fault_of_texts(const toml::node& node, const std::string& name);
 
 /// The text of a file that is to be a table.
 /// @throws ConfigurationError if it is larger than max_bytes   @throws InputOutputError if it cannot be read

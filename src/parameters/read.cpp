@@ -100,6 +100,7 @@ public:
     const Place place{command_line};
     try {
       const toml::table table = toml::parse(toml);
+      if (const std::optional<Fault> fault = fault_of_texts(table, command_line)) return complain(fault->message);
       if (table.size() == 1) return take(key, *table.get("value"), place);
     } catch (const toml::parse_error&) { // not TOML: the bare form
     }

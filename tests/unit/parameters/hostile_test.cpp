@@ -38,6 +38,16 @@ TEST(Hostile, BytesThatAreNoTextAreOneClearFault) {
   EXPECT_TRUE(faults_of("# \xf0\x9f\xa7\xac \xe2\x82\xac µ\n").empty()) << "real text";
 }
 
+// What a C library reads ends at a NUL, and the record would show the whole text.
+TEST(Hostile, ControlCharactersInTextsAreRefused) {
+  const std::string fault = fault_of("[laws]\npolarization_rate = \"r_pol\\u0000*100\"\n");
+  EXPECT_EQ(fault.find("f.toml:2:21: a text holds the control character U+0000"), 0U) << fault;
+  EXPECT_NE(fault_of("[laws.constants]\nF_c = \"1\\u0001 nN\"\n").find("U+0001"), std::string::npos);
+  EXPECT_NE(fault_of("[[cells]]\nx = \"1 um\"\ny = \"1 um\"\nname = [\"a\\u007f\"]\n").find("U+007F"),
+            std::string::npos);
+  EXPECT_NE(fault_of("", {"laws.polarization_rate=\"r_pol\\u0000*100\""}).find("U+0000"), std::string::npos);
+}
+
 TEST(Hostile, RandomBytesNeverPass) {
   std::mt19937 random(7);
   for (int file = 0; file < 300; ++file) {
