@@ -56,7 +56,7 @@ python3-dev: the same
 python3-pandas: tables in the tests of the Python package
 python3-matplotlib: figures in the tests of the Python package
 python3-xxhash: whether tables are still those of their run, in the tests of the Python package
-python3-sklearn: emulators in the tests of calibration
+python3-scipy: emulators in the tests of calibration
 python3-jsonschema: checks scenarios against docs/scenario.schema.json
 python3-tifffile: opens stacks of fields in their tests
 dpkg-dev: makes the Debian package in its test

@@ -8,7 +8,7 @@ has), then first protrusions of a weak and a strong cell at the same points; add
 to K with docs/validation/outcomes.toml, and writes the tables of the match to docs/validation/wave-K/, with the checks of the emulators; its
 page goes to FOLDER/match-K. --next writes wave-(K+1).toml with so many points where all is plausible. --at says what the waves leave where
 parameters have given values (actomyosin.curvature_width_per_um=0.25), and how likely these are; points of --next then have them, too.
---match-only runs nothing: the match of kept tables alone. Needs the Python package, scikit-learn and matplotlib.
+--match-only runs nothing: the match of kept tables alone. Needs the Python package, SciPy and matplotlib.
 """
 
 import argparse

@@ -2,25 +2,17 @@
 run. Sobol indices of them."""
 from __future__ import annotations
 
-import warnings
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 
-Array = np.ndarray[Any, np.dtype[np.float64]]
+from ._process import Array, Process
 
-_euler = 1.27  # less the mean of log chi-squared with one degree of freedom
 _draws = 60
-
-
-def sklearn() -> Any:
-    try:
-        from sklearn import gaussian_process
-    except ImportError:
-        raise ImportError("an emulator needs scikit-learn: apt install python3-sklearn, or pip install scikit-learn") from None
-    return gaussian_process
+_tries = 5000  # points of a step of sampling
+_folds = 8
+_at_once = 500  # points, whose tables stay in the processor's cache
 
 
 @dataclass(frozen=True)
@@ -49,85 +41,71 @@ class Prior:
 
 
 class Emulator:
-    """The mean of a read-out over the unit cube of parameters, from simulations with scatter.
+    """The mean of a read-out over the unit cube of parameters, its standard error, and the scatter of a run, from simulations with scatter.
 
-    First the process and one scatter for all points are fitted by maximum likelihood; then the logarithm of the scatter, as a
-    linear function of the parameters, to the squared residuals of leaving points out; last the process again, with that
-    scatter held.
+    What it tells of points that it was not given comes from folds: in each an eighth of the points is left out, and all is fitted anew to the rest.
     """
 
     def __init__(self, cube: Array, values: Array, runs: Array, seed: int = 1, linear: bool = False) -> None:
         """:param runs: at each point, whose mean ``values`` has
         :param linear: whether the process has a linear part beside the smooth one: better of many parameters and few points
         """
-        processes = sklearn()
-        kernels = processes.kernels
-        self._offset = 0.5 if linear else 0.0  # the linear part is none in the middle
-        basis = np.column_stack([np.ones(len(cube)), cube - 0.5])
-        cube = cube - self._offset
-        self._cube, self._centre, self._scale = cube, float(values.mean()), float(values.std())
+        self._centre, self._scale = float(values.mean()), float(values.std())
+        self.parameters = int(cube.shape[1])
         y = (values - self._centre) / self._scale
-        smooth = kernels.ConstantKernel(1.0, (1e-3, 1e2)) * kernels.RBF(np.full(cube.shape[1], 0.5), (0.1, 10.0))
-        if linear:
-            smooth += kernels.ConstantKernel(0.3, (1e-4, 1e2)) * kernels.DotProduct(0.0, "fixed")
-        first = self._fitted(processes, smooth + kernels.WhiteKernel(0.3, (1e-4, 2.0)), 1e-8, y, seed)
-        share = 1.0 / runs
-        left_out, _ = _left_out(first.kernel_(cube), y)
-        sizes = np.log(np.maximum(left_out**2, 1e-12) / share) + _euler
-        ridge = np.diag([0.0] + [0.02 * len(cube)] * cube.shape[1])
-        self._scatter = np.linalg.solve(basis.T @ basis + ridge, basis.T @ sizes)
-        self._scatter[0] += np.log(np.mean(left_out**2 / share / np.exp(basis @ self._scatter)))
-        alpha = np.maximum(np.exp(basis @ self._scatter) * share, 1e-6)
-        self._process = self._fitted(processes, first.kernel_.k1, alpha, y, seed)
-        left_out, errors = _left_out(self._process.kernel_(cube) + np.diag(alpha), y)
-        self.explained = float(max(0.0, 1.0 - np.mean(left_out**2) / np.mean((y - y.mean())**2)))
-        """Share of the variance of points that the others predict; the rest is scatter and what the emulator misses."""
-        self.coverage = float(np.mean(np.abs(left_out) <= 1.645 * errors))
+        self._process = Process(cube, y, runs, seed, linear)
+        left_out, errors, plain = _left_out(cube, y, runs, seed, linear)
+        off, known = (y - left_out)**2, (y - plain)**2
+        self.explained = float(1.0 - off.mean() / known.mean())
+        """Share of the variance of points that the others predict, at most 1; below 0 where their mean alone predicts better."""
+        self.explained_error = float(np.std(off - (1.0 - self.explained) * known) / known.mean() / np.sqrt(len(y)))
+        """Standard error of this share."""
+        self.coverage = float(np.mean(np.abs(y - left_out) <= 1.645 * errors))
         """Share of points within the 90 % interval that the others predict."""
-        self.values, self.left_out = values, self._centre + self._scale * (y - left_out)
+        self.values, self.left_out = values, self._centre + self._scale * left_out
         """Of points, and as the others predict them."""
 
-    def _fitted(self, processes: Any, kernel: Any, alpha: Any, y: Array, seed: int) -> Any:
-        process = processes.GaussianProcessRegressor(kernel, alpha=alpha, random_state=seed)
-        with warnings.catch_warnings():
-            warnings.simplefilter("ignore")  # a length at its bound is a parameter without effect
-            return process.fit(self._cube, y)
+    @property
+    def tells(self) -> bool:
+        """Whether it predicts anything: the share of the variance is above 0 by two standard errors."""
+        return self.explained > 2.0 * self.explained_error
 
     def __call__(self, cube: Array) -> tuple[Array, Array]:
         """Mean of the read-out, and the standard error of this mean."""
-        mean, error = zip(*(self._process.predict(part - self._offset, return_std=True)
-                            for part in np.array_split(cube, max(1, len(cube) // 5000))), strict=True)
-        return self._centre + self._scale * np.concatenate(mean), self._scale * np.concatenate(error)
+        parts = [self._process(part)[:2] for part in np.array_split(cube, max(1, len(cube) // _at_once))]
+        mean, variance = (np.concatenate(one) for one in zip(*parts, strict=True))
+        return self._centre + self._scale * mean, self._scale * np.sqrt(variance)
 
-    @property
-    def parameters(self) -> int:
-        return int(self._cube.shape[1])
+    def mean(self, cube: Array) -> Array:
+        return np.asarray(self._centre + self._scale * self._process.mean(cube))
 
     def scatter(self, cube: Array) -> Array:
         """Standard deviation of one run."""
-        basis = np.column_stack([np.ones(len(cube)), cube - 0.5])
-        return np.asarray(self._scale * np.exp(0.5 * basis @ self._scatter))
+        return np.asarray(self._scale * np.sqrt(self._process.of_run(cube)))
 
     def drawn(self, cube: Array, draws: int, random: np.random.Generator) -> Array:
         """Functions that the simulations allow, a row each."""
-        mean, covariance = self._process.predict(cube - self._offset, return_cov=True)
-        root = np.linalg.cholesky(covariance + 1e-6 * np.eye(len(cube)) * max(1e-3, covariance.max()))
-        return np.asarray(self._centre + self._scale * (mean + random.standard_normal((draws, len(cube))) @ root.T))
+        return np.asarray(self._centre + self._scale * self._process.drawn(cube, draws, random))
 
 
-def _left_out(covariance: Array, y: Array) -> tuple[Array, Array]:
-    """What is left of each value, and its error, as the other values predict it."""
-    inverse = np.linalg.inv(covariance)
-    return np.asarray(inverse @ y / np.diag(inverse)), np.asarray(1.0 / np.sqrt(np.diag(inverse)))
+def _left_out(cube: Array, y: Array, runs: Array, seed: int, linear: bool) -> tuple[Array, Array, Array]:
+    """Each value as the points outside of its fold predict it, with the error of a run, and their mean."""
+    order = np.random.default_rng(seed).permutation(len(y))
+    left_out, errors, plain = np.empty(len(y)), np.empty(len(y)), np.empty(len(y))
+    for out in np.array_split(order, min(_folds, len(y))):
+        others = np.setdiff1d(order, out)
+        mean, variance, of_run = Process(cube[others], y[others], runs[others], seed, linear)(cube[out])
+        left_out[out], errors[out], plain[out] = mean, np.sqrt(variance + of_run / runs[out]), y[others].mean()
+    return left_out, errors, plain
 
 
 def sobol(emulator: Emulator, parameters: int, seed: int = 1) -> tuple[Array, Array]:
     """First and total indices by Jansen's estimators: a row per parameter with the estimate and the ends of its 90 % interval,
     over the functions that the simulations allow. Those are drawn at fewer points, and compared with the mean there."""
     random = np.random.default_rng(seed)
-    estimate = _jansen(emulator(_radial(parameters, 1024, seed))[0], parameters)
+    estimate = _jansen(emulator.mean(_radial(parameters, 1024, seed)), parameters)
     few = _radial(parameters, 128, seed)
-    middle = _jansen(emulator(few)[0], parameters)
+    middle = _jansen(emulator.mean(few), parameters)
     off = np.percentile([_jansen(row, parameters) - middle for row in emulator.drawn(few, _draws, random)], [5, 95], axis=0)
     first, total = np.clip(np.stack([estimate, *(estimate + off)], axis=-1), 0.0, 1.0)
     return first, total
@@ -169,7 +147,8 @@ def sampled(log_likelihood: Callable[[Array], Array], cube: Array, known: Array,
             break
         centre = weight @ cube
         covariance = 2.0 * ((cube - centre).T * weight) @ (cube - centre) + 1e-8 * np.eye(parameters)
-        near = random.multivariate_normal(centre, covariance, 40 * tries)
+        tries = _tries
+        near = random.multivariate_normal(centre, covariance, 80 * tries)
         inside = np.all((near >= 0) & (near <= 1), axis=1)
         share = max(float(inside.mean()), 1e-4)
         near = near[inside][:int(0.85 * tries)]

@@ -15,6 +15,7 @@ from . import tracks as _tracks
 from ._emulator import Array, Emulator, Prior
 from ._files import _pandas, make_folder, unit_of
 from ._measurement import Means, Measurement, Points, differences, measurement, require_study, simulated, size_faults
+from ._process import scipy
 from .errors import ConfigurationError
 from .studies import Study
 
@@ -24,7 +25,6 @@ if TYPE_CHECKING:
 constrained_width = 0.8  #: of the 90 % interval of the prior: a wider one is not called constrained
 _implausible = 3.0
 _draws = 12000  # from the prior
-_least_explained = 0.05  # of the variance of points, for a read-out that depends on parameters
 _least_points = 10  # for each parameter
 _largest_discrepancy = 1e100  # its square is a number
 
@@ -90,7 +90,7 @@ class Emulators:
     study: str = ""  #: its folder
 
     def __repr__(self) -> str:
-        return "\n".join(f"{name}: predicts {one.explained:.0%} of the variance of points; the 90 % intervals have {one.coverage:.0%}"
+        return "\n".join(f"{name}: predicts {one.explained:.0%} ± {one.explained_error:.0%} of the variance of points; the 90 % intervals have {one.coverage:.0%}"
                          for name, one in zip(self.names, self.processes, strict=True))
 
     def fit(self, measured: _tracks.Tracks | Means, *, besides: Means | None = None,
@@ -114,7 +114,7 @@ class Emulators:
         covariance = wanted.covariance + np.diag([own.get(name, 0.0)**2 for name in self.names])
         parameters = self.prior.names
         even, means, errors = self._of_prior
-        used = np.flatnonzero([one.explained >= _least_explained for one in self.processes])  # others would add their noise only
+        used = np.flatnonzero([one.tells for one in self.processes])  # others would add their noise only
 
         def likelihood(means: Array, errors: Array) -> Array:
             return _log_likelihood(means[:, used], errors[:, used], value[used], covariance[np.ix_(used, used)], wanted.cells)
@@ -140,7 +140,8 @@ class Emulators:
         shown = _pandas().DataFrame({
             "measured": value, "standard_error": wanted.table["standard_error"].to_numpy(float),
             "posterior_mean": after.mean(axis=0), "posterior_5": low, "posterior_95": high, "implausibility": best,
-            "predicted": [one.explained for one in self.processes], "coverage": [one.coverage for one in self.processes]}, index=self.names)
+            "predicted": [one.explained for one in self.processes], "predicted_error": [one.explained_error for one in self.processes],
+            "coverage": [one.coverage for one in self.processes]}, index=self.names)
         sample = _pandas().DataFrame(self.prior.from_cube(drawn), columns=parameters)
         both = (measured, self._nearest(likelihood, len(measured))) if isinstance(measured, _tracks.Tracks) else (None, None)
         source = {"study": self.study, "tracks": getattr(measured, "source", ""), "seed": str(seed)}
@@ -173,9 +174,9 @@ def emulate(study: Study, readouts: Sequence[str], *, interval: float | None = N
     :param prior: ranges by the columns of ``study.parameters``: ``{"ecm.youngs_modulus_Pa": (50, 400, "log")}``; those of
         the points of the study if left out, whatever became of their runs
     :raises ConfigurationError: with all that is wrong
-    :raises ImportError: without scikit-learn
+    :raises ImportError: without SciPy
     """
-    _emulator.sklearn()
+    scipy()
     return replace(of_points(simulated(study, readouts, interval, error), prior, seed), study=str(study.folder))
 
 
@@ -223,7 +224,7 @@ def of_points(points: Points, prior: Mapping[str, Any] | None = None, seed: int 
     cube = ranges.to_cube(points.parameters.loc[whole, parameters].to_numpy(float))
     processes = [Emulator(cube, points.values.loc[whole, name].to_numpy(float), points.runs[whole], seed) for name in names]
     notes += [f"{name}: depends on no parameter, as far as the points can tell: it is left out of the likelihood, and so are its Sobol indices"
-              for name, process in zip(names, processes, strict=True) if process.explained < _least_explained]
+              for name, process in zip(names, processes, strict=True) if not process.tells]
     return Emulators(ranges, names, processes, points, _sensitivity(names, parameters, processes, seed), notes)
 
 
@@ -312,7 +313,7 @@ def _log_likelihood(means: Array, errors: Array, value: Array, covariance: Array
 def _sensitivity(names: list[str], parameters: list[str], emulators: Sequence[Emulator], seed: int) -> pandas.DataFrame:
     rows = []
     for name, emulator in zip(names, emulators, strict=True):
-        first, total = _emulator.sobol(emulator, len(parameters), seed) if emulator.explained >= _least_explained else \
+        first, total = _emulator.sobol(emulator, len(parameters), seed) if emulator.tells else \
             np.full((2, len(parameters), 3), np.nan)
         rows += [[name, parameter, *first[k], *total[k]] for k, parameter in enumerate(parameters)]
     return _pandas().DataFrame(rows, columns=["readout", "parameter", "first", "first_5", "first_95", "total", "total_5",

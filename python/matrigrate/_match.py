@@ -15,13 +15,13 @@ from ._emulator import Array, Emulator, Prior
 from ._files import _pandas, make_folder
 from ._fit import prior_of, varied
 from ._outcomes import Outcome, Source, faults_of, runs_of, values_of
+from ._process import scipy
 from .errors import ConfigurationError
 from .studies import Study
 
 if TYPE_CHECKING:
     import pandas
 
-_least_explained = 0.05  # of the variance of points, for an outcome that depends on parameters
 _least_points, _enough_points = 3, 10  # for each parameter: for an emulator at all, and without a note
 
 
@@ -137,7 +137,7 @@ class Match:
         ``against``, the other row whose mean square of I is raised most there, empty if none is by more than 0.01. NaN come first, then the
         outcomes that cost the others most.
         """
-        told = [one for one in self._judge.outcomes if self.emulators[one.label].explained >= _least_explained]
+        told = [one for one in self._judge.outcomes if self.emulators[one.label].tells]
         table = _pandas().DataFrame([self._judge.reach(one) for one in told], columns=["outcome", "row", "nearest", "met", "others", "against"])
         return table.set_index("outcome").sort_values("others", na_position="first", kind="stable")
 
@@ -202,7 +202,7 @@ class _Judge:
         self.how = how
         self.outcomes = [one for one in outcomes if one.label in emulators]
         self.emulators = emulators
-        fitted = [one for one in self.outcomes if not one.held_back and emulators[one.label].explained >= _least_explained]
+        fitted = [one for one in self.outcomes if not one.held_back and emulators[one.label].tells]
         self.names = list(dict.fromkeys(one.of for one in fitted))
         self._of_row = [[one for one in fitted if one.of == name] for name in self.names]
         parameters = next(iter(emulators.values())).parameters
@@ -262,9 +262,9 @@ def match(designs: Source | Sequence[Source], outcomes: Sequence[Outcome], *, pr
     :param cutoff: the implausibility at which a row is implausible; three is that of a normal distribution with hardly any chance
     :param row: the implausibility of a row: that of its worst outcome, or the root of the mean square of all
     :raises ConfigurationError: with all that is wrong
-    :raises ImportError: without scikit-learn
+    :raises ImportError: without SciPy
     """
-    _emulator.sklearn()
+    scipy()
     gathered, parameters, notes = _gathered(designs, prior)
     frame = _pandas().concat(gathered, ignore_index=True)
     outcomes = list(outcomes)
@@ -348,7 +348,7 @@ def _emulators(outcomes: Sequence[Outcome], frame: pandas.DataFrame, prior: Prio
 
 def _judge_of(outcomes: Sequence[Outcome], emulators: dict[str, Emulator], how: _How, notes: list[str]) -> _Judge | None:
     """None if the emulators tell no outcome that is fitted."""
-    blind = [label for label, one in emulators.items() if one.explained < _least_explained]
+    blind = [label for label, one in emulators.items() if not one.tells]
     notes += [f"{label}: depends on no parameter, as far as the points can tell: it excludes nothing" for label in blind]
     if not any(one.label in emulators and one.label not in blind and not one.held_back for one in outcomes):
         return None
@@ -394,14 +394,14 @@ def _shown(outcome: Outcome, judge: _Judge, cube: Array, best: Array, frame: pan
     relative = judge.how.discrepancy
     row: dict[str, Any] = {"outcome": outcome.label, "row": outcome.of, "low": low, "high": high, "error": outcome.variance(relative)**0.5,
                            "points": len(values_of(frame, prior.names, outcome)[1])}
-    blank = dict.fromkeys(("predicted", "coverage", "mean", "5", "95", "implausibility"), float("nan"))
+    blank = dict.fromkeys(("predicted", "predicted_error", "coverage", "mean", "5", "95", "implausibility"), float("nan"))
     emulator = judge.emulators.get(outcome.label)
     if emulator is None:
         return row | {"told": False} | blank | {"held_back": outcome.held_back}
     mean, error = emulator(cube[:1000])
     seeds = emulator.scatter(cube[:1000]) / outcome.runs**0.5 if outcome.runs else 0.0
     drawn = mean + np.hypot(error, seeds) * np.random.default_rng(1).standard_normal((20, len(mean)))
-    return row | {"told": emulator.explained >= _least_explained, "predicted": emulator.explained, "coverage": emulator.coverage,
+    return row | {"told": emulator.tells, "predicted": emulator.explained, "predicted_error": emulator.explained_error, "coverage": emulator.coverage,
                   "mean": mean.mean(), "5": np.percentile(drawn, 5), "95": np.percentile(drawn, 95),
                   "implausibility": float(judge.one(outcome, best[None])[0]), "held_back": outcome.held_back}
 

@@ -48,7 +48,7 @@ implausibility rises most there.</small></p>
 <h2>Emulators</h2>
 <p><small><i>predicted</i>: share of the variance of points that an emulator predicts when they are left out; the rest is the scatter of seeds.
 <i>coverage</i>: share of points within its 90 % interval.</small></p>
-{table(match.outcomes[["points", "predicted", "coverage", "told"]])}
+{table(match.outcomes[["points", "predicted", "predicted_error", "coverage", "told"]])}
 {figure(lambda: _checks(match), "Each point as the others predict it, over what was simulated")}
 <h2>Notes</h2>
 <ul>{notes}</ul>""")

@@ -44,7 +44,7 @@ def main() -> int:
     code = ["".join(cell["source"]) for cell in book["cells"] if cell["cell_type"] == "code"]
     if any("calibrate.fit" in text for text in code):
         try:
-            import sklearn  # noqa: F401
+            import scipy  # noqa: F401
         except ImportError as missing:
             print(f"not here: {missing}")
             return 77

@@ -52,8 +52,8 @@ def main() -> int:
     sys.path.insert(0, str(source / "python"))
     bad = False
     for name in options.pages or tested_pages():
-        if "python3-sklearn" in (source / name).read_text(encoding="utf-8") and not importlib.util.find_spec("sklearn"):
-            print(f"{name}: needs scikit-learn, which is not here")
+        if "python3-scipy" in (source / name).read_text(encoding="utf-8") and not importlib.util.find_spec("scipy"):
+            print(f"{name}: needs SciPy, which is not here")
             return 77
         page = ran(source / name)
         for line in page.skipped:

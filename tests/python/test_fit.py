@@ -8,7 +8,7 @@ import unittest.mock
 
 import common
 
-common.skip_without("sklearn", "matplotlib")
+common.skip_without("scipy", "matplotlib")
 
 import matrigrate  # noqa: E402
 import numpy as np  # noqa: E402
@@ -247,8 +247,8 @@ class Refused(unittest.TestCase):
         self.refused(["discrepancy: sped: is no read-out", "discrepancy: ratio: -1 is no standard error"],
                      lambda: process.fit({"speed": (1, 1), "ratio": (1, 1)}, discrepancy={"sped": 1, "ratio": -1}))
 
-    def test_without_scikit_learn(self):
-        with unittest.mock.patch.dict(sys.modules, {"sklearn": None}), self.assertRaisesRegex(ImportError, "python3-sklearn"):
+    def test_without_scipy(self):
+        with unittest.mock.patch.dict(sys.modules, {"scipy": None}), self.assertRaisesRegex(ImportError, "python3-scipy"):
             calibrate.emulate(None, ["speed_um_per_h"])
 
 

@@ -11,7 +11,7 @@ import unittest
 import common
 
 os.environ["MPLBACKEND"] = "agg"
-common.skip_without("matplotlib", "scipy", "sklearn")
+common.skip_without("matplotlib", "scipy")
 
 import matrigrate  # noqa: E402
 import numpy as np  # noqa: E402

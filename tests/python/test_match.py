@@ -14,7 +14,7 @@ import unittest
 
 import common
 
-common.skip_without("sklearn", "matplotlib", "scipy")
+common.skip_without("matplotlib", "scipy")
 
 import matrigrate  # noqa: E402
 import numpy as np  # noqa: E402
