@@ -6,12 +6,9 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <cmath>
 #include <cstdlib>
-#include <optional>
 #include <stdexcept>
-#include <string_view>
 
 namespace matrigrate {
 
@@ -19,110 +16,29 @@ namespace {
 
 constexpr double most_points = 2e5; // of a grid; each takes 50 to 200 ns
 
-/// Part of a formula.
-struct Part {
-  std::size_t begin = 0;
-  std::size_t end = 0; ///< one past its last character
-};
-
-bool of_word(char c) { return c == '_' || c == '.' || std::isalnum(static_cast<unsigned char>(c)) != 0; }
-
-/// The matching parenthesis of one that opens, or npos.
-std::size_t closing(std::string_view text, std::size_t open) {
-  int depth = 0;
-  for (std::size_t k = open; k < text.size(); ++k) {
-    if (text[k] == '(') ++depth;
-    if (text[k] == ')' && --depth == 0) return k;
-  }
-  return std::string_view::npos;
-}
-
-/// The matching parenthesis of one that closes, or npos.
-std::size_t opening(std::string_view text, std::size_t close) {
-  int depth = 0;
-  for (std::size_t k = close + 1; k-- > 0;) {
-    if (text[k] == ')') ++depth;
-    if (text[k] == '(' && --depth == 0) return k;
-  }
-  return std::string_view::npos;
-}
-
-/// Where the number, name, call or parenthesis that begins at k ends.
-std::size_t end_of_operand(std::string_view text, std::size_t k) {
-  while (k < text.size() && text[k] == ' ') ++k;
-  while (k < text.size() && of_word(text[k])) ++k;
-  if (k < text.size() && text[k] == '(') {
-    const std::size_t close = closing(text, k);
-    if (close != std::string_view::npos) k = close + 1;
-  }
-  return k;
-}
-
-/// Where the one that ends before k begins.
-std::size_t begin_of_operand(std::string_view text, std::size_t k) {
-  while (k > 0 && text[k - 1] == ' ') --k;
-  if (k > 0 && text[k - 1] == ')') {
-    const std::size_t open = opening(text, k - 1);
-    if (open != std::string_view::npos) k = open;
-  }
-  while (k > 0 && of_word(text[k - 1])) --k;
-  return k;
-}
-
-/// Calls, parentheses, and quotients of two operands, the shortest first.
-std::vector<Part> parts_of(std::string_view text) {
-  std::vector<Part> parts;
-  for (std::size_t k = 0; k < text.size(); ++k) {
-    if (text[k] == '(') {
-      const std::size_t close = closing(text, k);
-      std::size_t begin = k;
-      while (begin > 0 && of_word(text[begin - 1])) --begin;
-      if (close != std::string_view::npos) parts.push_back({begin, close + 1});
-    }
-    if (text[k] == '/') parts.push_back({begin_of_operand(text, k), end_of_operand(text, k + 1)});
-  }
-  std::ranges::stable_sort(parts, {}, [](const Part& part) { return part.end - part.begin; });
-  return parts;
-}
-
-/// " (1/kappa, at character 5, is infinite)": the shortest part of a formula that is not finite; empty if there is
+/// " (1/kappa, at character 5, is infinite)": the innermost part of a formula that is not finite; empty if there is
 /// none.
-std::string place_of_fault(const Row& law, const Parameters& p, const std::string& text,
+std::string place_of_fault(const Row& law, const Parameters& p, const fields::FormulaTree& tree,
                            std::span<const double> arguments) {
-  for (const Part& part : parts_of(text)) {
-    const std::string piece = text.substr(part.begin, part.end - part.begin);
-    try {
-      const double value = law_formula(law, p, piece).at(arguments);
-      if (!std::isfinite(value))
-        return fmt::format(" ({}, at character {}, is {})", piece, part.begin + 1,
-                           std::isnan(value) ? "not a number" : "infinite");
-    } catch (const std::invalid_argument&) { // no formula of its own
-    }
-  }
-  return {};
+  std::string place;
+  fields::for_each_part(tree.whole, [&](const fields::Part& part) {
+    if (!place.empty() || part.parts.empty()) return;
+    const double value = law_formula(law, p, fields::written(part)).at(arguments);
+    if (!std::isfinite(value))
+      place = fmt::format(" ({}, at character {}, is {})", fields::written(part), part.at,
+                          std::isnan(value) ? "not a number" : "infinite");
+  });
+  return place;
 }
 
 /// The numbers of a formula: those written out, and those with a name.
-std::vector<double> numbers_in(const std::string& text, std::span<const fields::NamedNumber> names) {
+std::vector<double> numbers_in(const fields::FormulaTree& tree, std::span<const fields::NamedNumber> names) {
   std::vector<double> numbers;
-  for (std::size_t k = 0; k < text.size();) {
-    const bool number = std::isdigit(static_cast<unsigned char>(text[k])) != 0;
-    if (!number && !of_word(text[k])) {
-      ++k;
-      continue;
-    }
-    char* end = nullptr;
-    if (number) {
-      numbers.push_back(std::strtod(text.c_str() + k, &end));
-      k = static_cast<std::size_t>(end - text.c_str());
-      continue;
-    }
-    std::size_t last = k;
-    while (last < text.size() && of_word(text[last])) ++last;
-    const auto named = std::ranges::find(names, text.substr(k, last - k), &fields::NamedNumber::name);
-    if (named != names.end()) numbers.push_back(named->value);
-    k = last;
-  }
+  fields::for_each_part(tree.whole, [&](const fields::Part& part) {
+    if (part.kind == fields::Part::Kind::number) numbers.push_back(std::strtod(part.text.c_str(), nullptr));
+    const auto named = std::ranges::find(names, part.text, &fields::NamedNumber::name);
+    if (part.kind == fields::Part::Kind::name && named != names.end()) numbers.push_back(named->value);
+  });
   return numbers;
 }
 
@@ -177,7 +93,7 @@ void over_grid(const std::vector<std::vector<double>>& axes, const Visit& visit)
 } // namespace
 
 std::vector<double> law_numbers(const Row& law, const Parameters& p) {
-  std::vector<double> all = numbers_in(text_of(law, p), law_names(p));
+  std::vector<double> all = numbers_in(law_formula(law, p, text_of(law, p)).tree(), law_names(p));
   const std::size_t count = all.size();
   for (std::size_t k = 0; k < count; ++k) all.push_back(-all[k]);
   return all;
@@ -239,7 +155,7 @@ std::string fault_of_law_values(const Parameters& p, const Row& law) {
   if (!formula.tree().chained.empty()) return formula.tree().chained;
   if (std::string fault = law_unit_fault(law, p, formula); !fault.empty()) return fault;
   const std::vector<bool> used = used_by(formula, law);
-  const std::vector<std::vector<double>> axes = grid(law, used, numbers_in(text, law_names(p)));
+  const std::vector<std::vector<double>> axes = grid(law, used, numbers_in(formula.tree(), law_names(p)));
   const auto excess = [&](double value) { return std::max(law.range.low - value, value - law.range.high); };
   std::vector<double> worst; // its arguments
   double most = 0.0;
@@ -253,7 +169,7 @@ std::string fault_of_law_values(const Parameters& p, const Row& law) {
   });
   if (worst.empty()) return {};
   const double value = formula.at(worst);
-  const std::string place = std::isfinite(value) ? "" : place_of_fault(law, p, text, worst);
+  const std::string place = std::isfinite(value) ? "" : place_of_fault(law, p, formula.tree(), worst);
   return law_fault(law, value, law_arguments(law, worst, used) + place);
 }
 
