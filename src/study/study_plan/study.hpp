@@ -36,13 +36,13 @@ struct Condition {
 
 /// A point of parameter space: a factor set under a condition.
 struct Point {
-  std::string label;              ///< unique in its study
-  std::vector<Setting> settings;  ///< what differs from the base, by key
-  Parameters parameters;          ///< the base with these settings
-  std::size_t set = 0;            ///< index into Study::sets
-  std::size_t condition = 0;      ///< index into Study::conditions; 0 if there are none
-  std::vector<Setting> seeded_by; ///< what the seeds follow from, if an earlier version named parameters that have
-                                  ///< gone; empty: settings
+  std::string label;                   ///< unique in its study
+  std::vector<Setting> settings;       ///< what differs from the base, by key
+  Parameters parameters;               ///< the base with these settings
+  std::size_t set = 0;                 ///< index into Study::sets
+  std::size_t condition = 0;           ///< index into Study::conditions; 0 if there are none
+  std::vector<Setting> seeded_by = {}; ///< what the seeds follow from, if an earlier version named parameters that have
+                                       ///< gone; empty: settings
 };
 
 /// What a read-out should be: a measured mean, or a range of them.
