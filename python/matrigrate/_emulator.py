@@ -23,6 +23,7 @@ class Prior:
     low: Array
     high: Array
     is_log: list[bool]
+    whole: list[bool] | None = None  #: whether only whole numbers can be run; each has the same share of the cube
 
     def to_cube(self, values: Array) -> Array:
         low, high = self._ends()
@@ -31,10 +32,20 @@ class Prior:
     def from_cube(self, cube: Array) -> Array:
         low, high = self._ends()
         shifted = low + np.asarray(cube) * (high - low)
-        return np.where(self.is_log, np.exp(np.where(self.is_log, shifted, 0.0)), shifted)
+        values = np.where(self.is_log, np.exp(np.where(self.is_log, shifted, 0.0)), shifted)
+        return np.where(self._whole, np.clip(np.rint(values), self.low, self.high), values)
+
+    def snapped(self, cube: Array) -> Array:
+        """Points of the cube at which the program can run."""
+        return np.where(self._whole, self.to_cube(self.from_cube(cube)), cube) if self._whole.any() else cube
+
+    @property
+    def _whole(self) -> Array:
+        return np.array(self.whole or [False] * len(self.names))
 
     def _ends(self) -> tuple[Array, Array]:
-        return self._of(self.low), self._of(self.high)
+        half = np.where(self._whole, np.where(self.is_log, 0.0, 0.5), 0.0)
+        return self._of(self.low - half), self._of(self.high + half)
 
     def _of(self, values: Array) -> Array:
         return np.where(self.is_log, np.log(np.where(self.is_log, values, 1.0)), values)
@@ -86,6 +97,21 @@ class Emulator:
     def drawn(self, cube: Array, draws: int, random: np.random.Generator) -> Array:
         """Functions that the simulations allow, a row each."""
         return np.asarray(self._centre + self._scale * self._process.drawn(cube, draws, random))
+
+
+class Constant:
+    """In place of an emulator, a read-out that has one value at all points."""
+
+    tells, explained, explained_error, coverage = False, float("nan"), float("nan"), float("nan")
+
+    def __init__(self, value: float, parameters: int) -> None:
+        self.values, self.parameters = np.array([value]), parameters
+
+    def __call__(self, cube: Array) -> tuple[Array, Array]:
+        return np.full(len(cube), self.values[0]), np.zeros(len(cube))
+
+    def scatter(self, cube: Array) -> Array:
+        return np.zeros(len(cube))
 
 
 def _left_out(cube: Array, y: Array, runs: Array, seed: int, linear: bool) -> tuple[Array, Array, Array]:

@@ -10,12 +10,13 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from . import _arguments, _emulator
+from . import _arguments, _emulator, _schema
 from . import tracks as _tracks
 from ._emulator import Array, Emulator, Prior
 from ._files import _pandas, make_folder, unit_of
 from ._measurement import Means, Measurement, Points, differences, measurement, require_study, simulated, size_faults
 from ._process import scipy
+from ._study_file import key_of
 from .errors import ConfigurationError
 from .studies import Study
 
@@ -119,8 +120,8 @@ class Emulators:
         def likelihood(means: Array, errors: Array) -> Array:
             return _log_likelihood(means[:, used], errors[:, used], value[used], covariance[np.ix_(used, used)], wanted.cells)
 
-        drawn, effective = _emulator.sampled(lambda at: likelihood(*_predictions(self.processes, at)), even, likelihood(means, errors),
-                                         seed=seed)
+        drawn, effective = _emulator.sampled(lambda at: likelihood(*_predictions(self.processes, self.prior.snapped(at))), even,
+                                         likelihood(means, errors), seed=seed)
         notes = [*wanted.notes, *self.notes, *differences(self.points, wanted)]
         if effective < 200:
             notes.append(f"the effective sample size is only {effective:.0f}: quantiles are rough")
@@ -150,7 +151,7 @@ class Emulators:
     @cached_property
     def _of_prior(self) -> tuple[Array, Array, Array]:
         """Points drawn from the prior, and what the emulators say there: the same for all fits."""
-        cube = np.random.default_rng(1).random((_draws, len(self.prior.names)))
+        cube = self.prior.snapped(np.random.default_rng(1).random((_draws, len(self.prior.names))))
         return cube, *_predictions(self.processes, cube)
 
     def _nearest(self, likelihood: Callable[[Array, Array], Array], many: int) -> _tracks.Tracks | None:
@@ -257,10 +258,11 @@ def prior_of(points: pandas.DataFrame, design: pandas.DataFrame, given: Mapping[
         done = points[name].to_numpy(float)
         if is_log[-1] and values[0] <= 0:
             faults.append(f"prior: {name}: points reach down to {values[0]:.4g}, which has no logarithm")
-        elif len(done) and (beyond := _beyond(done, ends, is_log[-1])):
-            notes.append(f"prior: {name}: {ends[0]:.4g} to {ends[1]:.4g} goes {beyond} the points with read-outs, {done.min():.4g} to "
+        elif len(done) and (side := beyond(done, ends, is_log[-1])):
+            notes.append(f"prior: {name}: {ends[0]:.4g} to {ends[1]:.4g} goes {side} the points with read-outs, {done.min():.4g} to "
                          f"{done.max():.4g}: nothing is known there, and the emulators extrapolate")
-    return Prior(list(design), np.array(low), np.array(high), is_log), faults, notes
+    whole = [bool(key := key_of(name)) and _schema.parameters()[key].kind == "integer" for name in design]
+    return Prior(list(design), np.array(low), np.array(high), [log and not one for log, one in zip(is_log, whole, strict=True)], whole), faults, notes
 
 
 def _range_of(entry: Any) -> tuple[Any, ...] | None:
@@ -273,7 +275,7 @@ def _range_of(entry: Any) -> tuple[Any, ...] | None:
     return (low, high, *entry[2:]) if low < high and (len(entry) == 2 or low > 0) else None
 
 
-def _beyond(values: Array, ends: tuple[float, float], is_log: bool) -> str:
+def beyond(values: Array, ends: tuple[float, float], is_log: bool) -> str:
     """By more than the gap that a Latin hypercube leaves at its ends."""
     scale = np.log if is_log else np.asarray
     first, last, low, high = (float(scale(value)) for value in (values.min(), values.max(), *ends))

@@ -11,9 +11,9 @@ from typing import TYPE_CHECKING, Any, Literal
 import numpy as np
 
 from . import _arguments, _emulator, _space
-from ._emulator import Array, Emulator, Prior
+from ._emulator import Array, Constant, Emulator, Prior
 from ._files import _pandas, make_folder
-from ._fit import prior_of, varied
+from ._fit import beyond, prior_of, varied
 from ._outcomes import Outcome, Source, faults_of, runs_of, values_of
 from ._process import scipy
 from .errors import ConfigurationError
@@ -198,20 +198,27 @@ class _How:
 class _Judge:
     """Implausibilities at points of the unit cube."""
 
-    def __init__(self, outcomes: Sequence[Outcome], emulators: Mapping[str, Emulator], how: _How) -> None:
-        self.how = how
+    def __init__(self, outcomes: Sequence[Outcome], emulators: Mapping[str, Emulator | Constant], how: _How, prior: Prior) -> None:
+        self.how, self.prior = how, prior
         self.outcomes = [one for one in outcomes if one.label in emulators]
         self.emulators = emulators
-        fitted = [one for one in self.outcomes if not one.held_back and emulators[one.label].tells]
+        fitted = [one for one in self.outcomes if not one.held_back and (emulators[one.label].tells or self.missed(one))]
         self.names = list(dict.fromkeys(one.of for one in fitted))
         self._of_row = [[one for one in fitted if one.of == name] for name in self.names]
-        parameters = next(iter(emulators.values())).parameters
-        self.cube = _space.whole(parameters, how.seed)
+        self.cube = prior.snapped(_space.whole(len(prior.names), how.seed))
         self.known = self.rows(self.cube)
+
+    def missed(self, outcome: Outcome) -> bool:
+        """Whether an outcome that depends on no parameter, as far as the points can tell, is met nowhere."""
+        return not self.emulators[outcome.label].tells and bool(self.one(outcome, np.zeros((1, len(self.prior.names))))[0] >= self.how.cutoff)
 
     def one(self, outcome: Outcome, cube: Array) -> Array:
         emulator, (low, high) = self.emulators[outcome.label], outcome.ends
-        mean, error = emulator(cube)
+        cube = self.prior.snapped(cube)
+        if emulator.tells:
+            mean, error = emulator(cube)
+        else:  # the same everywhere, with the scatter of points
+            mean, error = np.full(len(cube), emulator.values.mean()), np.full(len(cube), emulator.values.std())
         seeds = emulator.scatter(cube)**2 / outcome.runs if outcome.runs else 0.0
         off = np.maximum(0.0, np.maximum(low - mean, mean - high))
         return np.asarray(off / np.sqrt(error**2 + seeds + outcome.variance(self.how.discrepancy)))
@@ -266,7 +273,7 @@ def match(designs: Source | Sequence[Source], outcomes: Sequence[Outcome], *, pr
     """
     scipy()
     gathered, parameters, notes = _gathered(designs, prior)
-    frame = _pandas().concat(gathered, ignore_index=True)
+    frame = _pandas().concat(gathered, ignore_index=True).drop_duplicates(ignore_index=True)
     outcomes = list(outcomes)
     faults = [f"{one!r} is no Outcome" for one in outcomes if not isinstance(one, Outcome)]
     how = _How(allowed, discrepancy, cutoff, row, seed)
@@ -283,9 +290,9 @@ def match(designs: Source | Sequence[Source], outcomes: Sequence[Outcome], *, pr
     notes += [f"{name}: is {value:.6g} at all points, so it is left out: nothing can be said of it" for name, value in fixed.items()]
     waves, judge, said = [], None, list[str]()
     for k in range(len(gathered)):
-        so_far = _pandas().concat(gathered[:k + 1], ignore_index=True)
+        so_far = _pandas().concat(gathered[:k + 1], ignore_index=True).drop_duplicates(ignore_index=True)  # a run of two waves counts once
         emulators, said = _emulators(outcomes, so_far, ranges, seed)
-        judge = _judge_of(outcomes, emulators, how, said)
+        judge = _judge_of(outcomes, emulators, how, ranges, said)
         waves.append(_wave(judge, ranges, so_far, seed))
         if judge is None:
             notes.append(f"wave {k + 1}: its {waves[-1].points} points tell no outcome, so it excludes nothing")
@@ -327,17 +334,25 @@ def _gathered(designs: Any, prior: Mapping[str, Any] | None) -> tuple[list[panda
     return frames, wanted, list(dict.fromkeys(notes))
 
 
-def _emulators(outcomes: Sequence[Outcome], frame: pandas.DataFrame, prior: Prior, seed: int) -> tuple[dict[str, Emulator], list[str]]:
-    """By the label of outcomes; none of an outcome that too few points have, or that does not vary."""
-    found, notes = {}, []
+def _emulators(outcomes: Sequence[Outcome], frame: pandas.DataFrame, prior: Prior,
+               seed: int) -> tuple[dict[str, Emulator | Constant], list[str]]:
+    """By the label of outcomes; none of an outcome that too few points have."""
+    found, notes = dict[str, Emulator | Constant](), list[str]()
+    there = len(frame[prior.names].drop_duplicates())
     needed, enough = (many * len(prior.names) for many in (_least_points, _enough_points))
     few = 0
     for outcome in outcomes:
         at, values, runs = values_of(frame, prior.names, outcome)
+        if 0 < len(at) < there:
+            notes.append(f"{outcome.label}: {there - len(at)} of {there} points have no run with a finite value of it")
+            notes += [f"prior: {name}: {prior.low[j]:.4g} to {prior.high[j]:.4g} goes {side} the points that have {outcome.label}, "
+                      f"{at[:, j].min():.4g} to {at[:, j].max():.4g}: nothing is known of it there, and its emulator extrapolates"
+                      for j, name in enumerate(prior.names)
+                      if (side := beyond(at[:, j], (float(prior.low[j]), float(prior.high[j])), prior.is_log[j]))]
         if len(at) < needed:
             notes.append(f"{outcome.label}: {len(at)} points have it; {needed} are needed, so it is left out")
         elif np.ptp(values) == 0:
-            notes.append(f"{outcome.label}: is {values[0]:.4g} at all points, so it is left out")
+            found[outcome.label] = Constant(float(values[0]), len(prior.names))
         else:
             few += len(at) < enough
             found[outcome.label] = Emulator(prior.to_cube(at), values, runs, seed, linear=True)
@@ -346,13 +361,21 @@ def _emulators(outcomes: Sequence[Outcome], frame: pandas.DataFrame, prior: Prio
     return found, notes
 
 
-def _judge_of(outcomes: Sequence[Outcome], emulators: dict[str, Emulator], how: _How, notes: list[str]) -> _Judge | None:
-    """None if the emulators tell no outcome that is fitted."""
-    blind = [label for label, one in emulators.items() if not one.tells]
-    notes += [f"{label}: depends on no parameter, as far as the points can tell: it excludes nothing" for label in blind]
-    if not any(one.label in emulators and one.label not in blind and not one.held_back for one in outcomes):
+def _judge_of(outcomes: Sequence[Outcome], emulators: dict[str, Emulator | Constant], how: _How, prior: Prior, notes: list[str]) -> _Judge | None:
+    """None if the emulators tell no outcome that is fitted, and none is met nowhere."""
+    if not emulators:
         return None
-    return _Judge(outcomes, emulators, how)
+    judge = _Judge(outcomes, emulators, how, prior)
+    for one in judge.outcomes:
+        emulator = judge.emulators[one.label]
+        if emulator.tells:
+            continue
+        (low, high), values = one.ends, emulator.values
+        measured = f"{low:.4g}" if low == high else f"{low:.4g} to {high:.4g}"
+        notes.append(f"{one.label}: is {values.mean():.4g} ({values.min():.4g} to {values.max():.4g}) at all points, measured is {measured}: it is "
+                     "met nowhere" if judge.missed(one) else
+                     f"{one.label}: depends on no parameter, as far as the points can tell: it excludes nothing")
+    return judge if judge.names else None
 
 
 def _wave(judge: _Judge | None, prior: Prior, frame: pandas.DataFrame, seed: int) -> Wave:
@@ -362,11 +385,12 @@ def _wave(judge: _Judge | None, prior: Prior, frame: pandas.DataFrame, seed: int
     else:
         region = _space.below(judge.depth, judge.how.cutoff, judge.cube, judge.deep(judge.known), seed)
     pandas, names = _pandas(), prior.names
+    cube = np.unique(prior.snapped(region.sample), axis=0) if any(prior.whole or []) else region.sample
     sample = pandas.DataFrame(prior.from_cube(region.sample), columns=names)
     nothing = np.full((5, len(names)), np.nan)
     ends = np.percentile(region.sample, [0, 100, 5, 50, 95], axis=0) if len(sample) else nothing
     ranges = pandas.DataFrame(prior.from_cube(ends).T if len(sample) else nothing.T, index=names, columns=["low", "high", "5", "50", "95"])
-    return Wave(len(frame[names].drop_duplicates()), region.share, ranges, sample, region.sample if len(sample) else region.best[None][:0])
+    return Wave(len(frame[names].drop_duplicates()), region.share, ranges, sample, cube if len(sample) else region.best[None][:0])
 
 
 def _match(waves: list[Wave], judge: _Judge, outcomes: Sequence[Outcome], frame: pandas.DataFrame, prior: Prior, notes: list[str]) -> Match:
@@ -398,6 +422,7 @@ def _shown(outcome: Outcome, judge: _Judge, cube: Array, best: Array, frame: pan
     emulator = judge.emulators.get(outcome.label)
     if emulator is None:
         return row | {"told": False} | blank | {"held_back": outcome.held_back}
+    cube = prior.snapped(cube)
     mean, error = emulator(cube[:1000])
     seeds = emulator.scatter(cube[:1000]) / outcome.runs**0.5 if outcome.runs else 0.0
     drawn = mean + np.hypot(error, seeds) * np.random.default_rng(1).standard_normal((20, len(mean)))

@@ -21,6 +21,9 @@ if TYPE_CHECKING:
     import pandas
 
 
+largest = 1e100  # its square is a number
+
+
 @dataclass(frozen=True)
 class Outcome:
     """A measured number: a read-out under a condition, or its difference between two.
@@ -69,12 +72,12 @@ class Outcome:
             low, high = self.ends
         except (TypeError, ValueError):
             return [f"{self.label}: {self.value!r} is no number and no range (low, high)"]
-        if not low <= high or np.isinf(low) and np.isinf(high) or low == np.inf or high == -np.inf:
+        if isinstance(self.value, (bool, np.bool_)) or any(abs(end) > largest for end in (low, high) if np.isfinite(end)) or not low <= high or np.isinf(low) and np.isinf(high) or low == np.inf or high == -np.inf:
             faults.append(f"{self.label}: {self.value!r} is no number and no range (low, high)")
         for name in ("error", "runs", "discrepancy", "relative"):
             size = getattr(self, name)
-            if size is not None and not (isinstance(size, (int, float, np.number)) and 0 <= size < np.inf):
-                faults.append(f"{self.label}: {name}: {size!r} is no number from 0 on")
+            if size is not None and (isinstance(size, bool) or not (isinstance(size, (int, float, np.number)) and 0 <= size <= largest)):
+                faults.append(f"{self.label}: {name}: {size!r} is no number from 0 to {largest:g}")
         if not faults and not self.runs and not self.variance(relative) > 0:
             faults.append(f"{self.label}: has neither error, runs nor discrepancy")
         return faults
@@ -133,6 +136,8 @@ def runs_of(source: Source) -> tuple[pandas.DataFrame, list[str], list[str]]:
     if isinstance(source, Study):
         return _of_study(source)
     if isinstance(source, _pandas().DataFrame):
+        if again := sorted({str(name) for name in source.columns[source.columns.duplicated()]}):
+            raise ConfigurationError("\n".join(f"{name}: two columns have this name" for name in again))
         frame = source.copy()
         frame["condition"] = frame["condition"].astype(str) if "condition" in frame else ""
         return frame, [], []

@@ -21,7 +21,10 @@ import numpy as np  # noqa: E402
 import pandas  # noqa: E402
 from matrigrate import _outcomes, _space, calibrate  # noqa: E402
 from matrigrate._study_file import key_of  # noqa: E402
-from matrigrate.calibrate import Outcome  # noqa: E402
+from matrigrate._emulator import Emulator  # noqa: E402
+from matrigrate.calibrate import Outcome, match  # noqa: E402
+from matrigrate.errors import ConfigurationError  # noqa: E402
+from scipy.stats import qmc  # noqa: E402
 
 prior = {"a": (0.0, 1.0), "b": (1.0, 10.0, "log"), "c": (0.0, 1.0)}
 
@@ -275,7 +278,7 @@ class Rows(unittest.TestCase):
                  "length at soft: has neither error, runs nor discrepancy", "seeds at soft: (2, 1) is no number and no range"],
                 wanted=[Outcome("speed", 1, at="hard", error=1), Outcome("sped", 1, at="soft", error=1), Outcome("length", 1, at="soft"),
                         Outcome("seeds", (2, 1), at="soft", error=1)], discrepancy=0.0)
-        refused(["speed at soft: is there twice", "error: -1 is no number from 0 on"],
+        refused(["speed at soft: is there twice", "error: -1 is no number from 0 to 1e+100"],
                 wanted=[Outcome("speed", 1, at="soft", error=1), Outcome("speed", 2, at="soft", error=-1)])
         refused(["one outcome is needed that is not held back"], wanted=[])
         refused(["5 is no Outcome"], wanted=[5])
@@ -418,6 +421,90 @@ protrusion.force = ["0.2 nN", "0.6 nN"]
         self.assertEqual(parameters, ["ecm.youngs_modulus_Pa"])
         self.assertEqual(sorted(frame["condition"].unique()), ["one", "two"])
         self.assertEqual(len(frame), 8)
+
+
+class Honesty(unittest.TestCase):
+    """Shares and intervals of emulators against fresh runs of functions that are known."""
+
+    @staticmethod
+    def emulated(signal, many, parameters, seed):
+        """An emulator of a function with scatter 1, and fresh runs of it."""
+        random = np.random.default_rng(seed)
+        cube, fresh = qmc.LatinHypercube(parameters, seed=seed).random(many), random.random((400, parameters))
+        truth = lambda at: signal * (at[:, 0] + np.sin(3 * at[:, 1]))  # noqa: E731
+        emulator = Emulator(cube, truth(cube) + random.normal(0, 1, many), np.ones(many), seed, linear=parameters > 6)
+        return emulator, fresh, truth(fresh) + random.normal(0, 1, len(fresh))
+
+    def inside(self, emulator, fresh, runs):
+        mean, error = emulator(fresh)
+        return np.mean(np.abs(runs - mean) <= 1.645 * np.hypot(error, emulator.scatter(fresh)))
+
+    def test_noise_is_not_predicted(self):
+        for many, parameters in ((40, 4), (64, 12)):
+            found = [self.emulated(0.0, many, parameters, seed) for seed in range(1, 6)]
+            self.assertLess(np.mean([one[0].explained for one in found]), 0.05)
+            self.assertLessEqual(sum(one[0].tells for one in found), 1)
+            self.assertGreater(np.mean([self.inside(*one) for one in found]), 0.85)
+
+    def test_a_signal_is_stated_as_fresh_runs_show_it(self):
+        found = [self.emulated(3.0, 64, 4, seed) for seed in range(1, 6)]
+        stated = [one[0].explained for one in found]
+        honest = [1 - np.mean((runs - emulator(fresh)[0])**2) / np.var(runs) for emulator, fresh, runs in found]
+        self.assertTrue(all(one[0].tells for one in found))
+        self.assertAlmostEqual(np.mean(stated), np.mean(honest), delta=0.1)
+        self.assertTrue(0.86 < np.mean([self.inside(*one) for one in found]) < 0.94)
+
+
+class Limits(unittest.TestCase):
+    """What can be run, what is known, what is met nowhere."""
+
+    @staticmethod
+    def runs(many=40):
+        random = np.random.default_rng(0)
+        points = qmc.LatinHypercube(2, seed=1).random(many)
+        return pandas.DataFrame([{"a": a, "b": b, "condition": "", "v": 10 * a + random.normal(0, 0.2), "w": 3 + random.normal(0, 0.2), "u": 3.0}
+                                 for a, b in points for _ in range(2)])
+
+    prior = {"a": (0, 1), "b": (0, 1)}
+
+    def test_whole_numbers_are_judged_where_they_can_be_run(self):
+        random = np.random.default_rng(0)
+        frame = pandas.DataFrame([{"protrusion.number": 1 + k % 4, "actomyosin.force_nN": force, "condition": "",
+                                   "l_prot_um": 10 * (1 + k % 4) + random.normal(0, 0.3)}
+                                  for k, force in enumerate(random.uniform(0.3, 0.6, 40)) for _ in range(2)])
+        prior = {"protrusion.number": (1, 4), "actomyosin.force_nN": (0.3, 0.6)}
+        between = match(frame, [Outcome("l_prot_um", 25, error=0.5, relative=0.0)], prior=prior)
+        self.assertEqual(between.waves[-1].share, 0.0, "2 and 3 are ten errors off")
+        self.assertIn(between.best["protrusion.number"], (2, 3))
+        three = match(frame, [Outcome("l_prot_um", 30, error=0.5, relative=0.0)], prior=prior)
+        self.assertEqual(set(three.next_points(5)["protrusion.number"]), {3})
+        self.assertAlmostEqual(three.waves[-1].share, 0.25, delta=0.02, msg="one of four")
+
+    def test_what_points_lack_is_told_for_each_outcome(self):
+        runs = self.runs()
+        found = match(runs.assign(v=runs["v"].where(runs["a"] <= 0.6)), [Outcome("v", 8, error=0.3)], prior=self.prior)
+        self.assertTrue(any(note.startswith("v: 16 of 40 points have no run") for note in found.notes), found.notes)
+        self.assertTrue(any("a: 0 to 1 goes above the points that have v" in note for note in found.notes), found.notes)
+
+    def test_what_is_met_nowhere_excludes_everything(self):
+        for readout in ("w", "u"):
+            found = match(self.runs(), [Outcome(readout, 30, error=0.3), Outcome("v", 5, error=0.3)], prior=self.prior)
+            self.assertEqual(found.waves[-1].share, 0.0)
+            self.assertTrue(any("at all points, measured is 30: it is met nowhere" in note for note in found.notes), found.notes)
+        met = match(self.runs(), [Outcome("w", 3, error=0.3), Outcome("v", 5, error=0.3)], prior=self.prior)
+        self.assertTrue(any(note.startswith("w: depends on no parameter") for note in met.notes), met.notes)
+        self.assertGreater(met.waves[-1].share, 0.0)
+
+    def test_numbers_that_are_none(self):
+        for outcome, said in ((Outcome("v", 1e200, error=1), "is no number and no range"), (Outcome("v", True, error=1), "is no number"),
+                              (Outcome("v", 5, error=1e200), "error: 1e+200 is no number from 0 to 1e+100")):
+            with self.assertRaises(ConfigurationError) as raised:
+                match(self.runs(), [outcome], prior=self.prior)
+            self.assertIn(said, str(raised.exception))
+        twice = self.runs()
+        twice.columns = ["a", "b", "condition", "v", "v", "u"]
+        with self.assertRaisesRegex(ConfigurationError, "v: two columns have this name"):
+            match(twice, [Outcome("v", 5, error=1)], prior=self.prior)
 
 
 if __name__ == "__main__":

@@ -22,7 +22,7 @@ const out = process.env["MATRIGRATE_PICTURES"];
 
 /** What draws for Python and R is there. */
 const able = () =>
-  spawnSync("/usr/bin/python3", ["-c", "import h5py, matplotlib, pandas, scipy, sklearn"]).status === 0 && spawnSync("Rscript", ["--version"]).status === 0;
+  spawnSync("/usr/bin/python3", ["-c", "import h5py, matplotlib, pandas, scipy"]).status === 0 && spawnSync("Rscript", ["--version"]).status === 0;
 
 /** Of the ink of both pictures, the part that may be at another place: other fonts, another way to round. */
 const most = 0.3;
