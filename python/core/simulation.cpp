@@ -14,6 +14,7 @@
 #include "state/dof.hpp"
 #include "store/trajectory_hash.hpp"
 
+#include <fmt/format.h>
 #include <pybind11/functional.h>
 #include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>

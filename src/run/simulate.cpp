@@ -111,7 +111,7 @@ private:
     };
     const auto each_step = [&](const State& now) {
       note_time();
-      if (w.health.without_bias > 0) ++m_record.steps_without_bias;
+      if (w.without_bias > 0) ++m_record.steps_without_bias;
       m_folder->see(now, w, m_record);
       m_observer.step(now);
       m_stop = m_observer.stop_request();

@@ -45,10 +45,9 @@ std::optional<StepTooLong> advance(State& s, const Parameters& p, double dt, Wor
   // events
   advance_attractant(s, p, dt, w);
   degrade_around_cells(s, p, dt, w);
-  w.health.without_bias = 0;
+  w.without_bias = 0;
   for (std::size_t k = 0; k < s.cells.size(); ++k)
-    w.health.without_bias +=
-        advance_protrusions(s.cells[k], s.ecm, s.now(), p, dt, w.laws, propensity_of(k, w)) ? 1 : 0;
+    w.without_bias += advance_protrusions(s.cells[k], s.ecm, s.now(), p, dt, w.laws, propensity_of(k, w)) ? 1 : 0;
   require_inside(s, p);
   w.health.torn += fluidize_torn(s.ecm, p.ecm);
   w.health.orphans += fluidize_orphans(s.ecm, p.ecm, w.reference);

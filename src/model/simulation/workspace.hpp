@@ -32,7 +32,6 @@ struct StepHealth {
   std::size_t torn = 0;           ///< particles fluidized at a density bound since the start
   std::size_t engulfed = 0;       ///< solid particles fluidized inside a cell since the start
   std::size_t list_builds = 0;    ///< updates of the neighbour list since the start, local or global
-  std::size_t without_bias = 0;   ///< cells whose bias of initiation was 0 along the whole cortex in the last step
 };
 
 /// Quantities of a cell at x(t) derived from State: shape, protrusions, nearby particles.
@@ -69,6 +68,7 @@ struct Workspace {
   SolidFields solid;                  ///< of the elastic forces
   std::vector<double> fluid_pressure; ///< [kPa]
   StepHealth health;
+  std::size_t without_bias = 0; ///< cells whose bias of initiation was 0 along the whole cortex in the last step
 };
 
 } // namespace matrigrate

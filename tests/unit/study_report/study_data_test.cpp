@@ -162,7 +162,7 @@ TEST(StudyData, HoldsClaimsAndPlayedRuns) {
                   .comparisons = {},
                   .folder = "nowhere",
                   .provenance = "commit",
-                  .claims = {{"A1", ClaimKind::predicted, "rises", "0.5", finding, {}, "not the paper's runs"}},
+                  .claims = {{"A1", ClaimKind::predicted, "rises", "0.5", finding, {}, {}, "not the paper's runs"}},
                   .claims_note = "Not run as published.",
                   .played = {{"0", "number 1", {{"format", "matrigrate-run"}}}}});
   const auto& claim = data.at("claims").at(0);
