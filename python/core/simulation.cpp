@@ -350,6 +350,12 @@ void translate(std::exception_ptr thrown) {
   }
 }
 
+std::string closures_in(const std::string& text, const std::string& name) {
+  return closures_text(closures_of(parse_parameters(text, name)));
+}
+
+std::string closures_here(const SteppedSimulation& s) { return closures_text(closures_of(s.parameters())); }
+
 } // namespace
 } // namespace matrigrate
 
@@ -360,9 +366,7 @@ PYBIND11_MODULE(_core, module) {
   py::register_exception_translator(&translate);
   py::module_::import("atexit").attr("register")(py::cpp_function(&end_marches));
   module.def("judged", &judged);
-  module.def("closures", [](const std::string& text, const std::string& name) {
-    return closures_text(closures_of(parse_parameters(text, name)));
-  });
+  module.def("closures", &closures_in);
   add_tracks(module);
   const auto of = [](const py::object& self) -> const State& { return self.cast<const SteppedSimulation&>().state(); };
   const auto cell = [of](const py::object& self, std::size_t k) -> const Cell& {
@@ -387,8 +391,7 @@ PYBIND11_MODULE(_core, module) {
       .def_property_readonly("step_count", [](const SteppedSimulation& s) { return s.state().step; })
       .def_property_readonly("duration", [](const SteppedSimulation& s) { return s.parameters().run.duration; })
       .def_property_readonly("failure", &SteppedSimulation::failure)
-      .def_property_readonly("closures",
-                             [](const SteppedSimulation& s) { return closures_text(closures_of(s.parameters())); })
+      .def_property_readonly("closures", &closures_here)
       .def_property_readonly("cell_count", [](const SteppedSimulation& s) { return s.state().cells.size(); })
       .def("matrix_x", [of](const py::object& self) { return vectors(of(self).ecm.x, self); })
       .def("matrix_X", [of](const py::object& self) { return vectors(of(self).ecm.X, self); })

@@ -74,7 +74,7 @@ def table(made: pandas.DataFrame, heads: dict[str, str] | None = None) -> str:
             return f"{value:.3g}".replace("-", "−") if np.isfinite(value) else ""
         return named(str(value)) if _is_named(str(value)) else html.escape(str(value))
 
-    head = "".join(f"<th>{html.escape((heads or {}).get(str(name), str(name)))}</th>" for name in ["", *made.columns])
+    head = "".join(f"<th>{html.escape((heads or {}).get(str(name), str(name).replace('_', ' ')))}</th>" for name in ["", *made.columns])
     rows = "".join("<tr>" + "".join(f"<td>{cell(value)}</td>" for value in (name, *row)) + "</tr>"
                    for name, row in zip(made.index, made.itertuples(index=False), strict=True))
     return f"<table><thead><tr>{head}</tr></thead><tbody>{rows}</tbody></table>"

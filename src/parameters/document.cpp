@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <utility>
 
 namespace matrigrate {
 
@@ -20,7 +21,7 @@ bool is_after_equals(std::string_view text, std::uint32_t line, std::uint32_t co
   return text.substr(0, std::min<std::size_t>(column, text.find('\n'))).find('=') != std::string_view::npos;
 }
 
-bool is_control(char c) {
+bool is_control_character(char c) {
   const auto code = static_cast<unsigned char>(c);
   return (code < 0x20 && c != '\t' && c != '\n' && c != '\r') || code == 0x7f;
 }
@@ -30,7 +31,7 @@ bool is_control(char c) {
 std::optional<Fault> fault_of_texts(const toml::node& node, const std::string& name) {
   std::optional<Fault> found;
   if (const auto* text = node.as_string()) {
-    const auto at = std::ranges::find_if(text->get(), is_control);
+    const auto at = std::ranges::find_if(text->get(), is_control_character);
     if (at != text->get().end()) {
       const auto place = node.source().begin;
       found = Fault{name, static_cast<int>(place.line), static_cast<int>(place.column), "",

@@ -18,9 +18,9 @@ constexpr std::string_view no_snapshots =
 
 constexpr std::array profiles{GoneFormula{"\"gaussian\"", "exp(-((kappa - kappa_0)/kappa_w)^2)"},
                               GoneFormula{"\"triangle\"", "max(0, 1 - abs(kappa - kappa_0)/kappa_w)"}};
-constexpr std::array chemotaxis{GoneFormula{"", "exp({}*occupancy)"}};
-constexpr std::array haptotaxis{GoneFormula{"", "exp({}*ligand)"}};
-constexpr std::array guidance{GoneFormula{"", "exp({}*alignment)"}};
+constexpr std::array of_chemotaxis{GoneFormula{"", "exp({}*occupancy)"}};
+constexpr std::array of_haptotaxis{GoneFormula{"", "exp({}*ligand)"}};
+constexpr std::array of_guidance{GoneFormula{"", "exp({}*alignment)"}};
 
 constexpr Gone drawing(std::string_view path, std::string_view behind, std::string_view left) {
   return {path, behind, left, "", no_snapshots, {}, {}, true};
@@ -50,9 +50,9 @@ constexpr std::array parameters{
     Gone{"degradation.pressure", "degradation.body_rear_share", "\"sum\"", "",
          "the larger pressure and degradation.smaller_share of the smaller one are added; smaller_share = 0 is the "
          "larger pressure alone"},
-    Gone{"cues.chemotaxis", "", "0", "", "", "laws.initiation_bias", chemotaxis},
-    Gone{"cues.haptotaxis", "", "0", "", "", "laws.initiation_bias", haptotaxis},
-    Gone{"cues.guidance", "", "0", "", "", "laws.initiation_bias", guidance},
+    Gone{"cues.chemotaxis", "", "0", "", "", "laws.initiation_bias", of_chemotaxis},
+    Gone{"cues.haptotaxis", "", "0", "", "", "laws.initiation_bias", of_haptotaxis},
+    Gone{"cues.guidance", "", "0", "", "", "laws.initiation_bias", of_guidance},
     drawing("output.snapshot_interval", "output.track_interval", "\"1800 s\""),
     drawing("output.pictures", "output.report", "true"),
     drawing("output.displacement_layer", "output.report", "false"),

@@ -6,7 +6,9 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <cstddef>
 #include <map>
+#include <sstream>
 #include <utility>
 #include <vector>
 
@@ -72,13 +74,32 @@ protected:
   }
 };
 
+/// A table of version 0.2.0, whose fields hold no commas, with the read-outs that came later, which its runs lack.
+std::string with_later_columns(const std::string& table) {
+  const std::string names =
+      ",step_angle_deg,net_angle_deg,along_over_across_1h,along_over_across_3h,along_over_across_6h";
+  std::string wide;
+  std::istringstream lines(table);
+  std::size_t before = 0; // fields
+  for (std::string line; std::getline(lines, line);) {
+    if (wide.empty())
+      before = static_cast<std::size_t>(std::count(
+                   line.begin(), line.begin() + static_cast<std::ptrdiff_t>(line.find(",parting_index")), ','))
+               + 1;
+    std::size_t at = 0;
+    for (std::size_t k = 0; k < before; ++k) at = line.find(',', at) + 1;
+    wide += line.substr(0, at - 1) + (wide.empty() ? names : ",,,,,") + line.substr(at - 1) + "\n";
+  }
+  return wide;
+}
+
 TEST_F(OtherVersion, AStudyOfVersion020IsKnown) {
   const fs::path made = fs::path(MATRIGRATE_SOURCE_DIR) / "tests/apps/written_by_0.2.0";
   fs::copy(made, folder / "old", fs::copy_options::recursive);
   EXPECT_TRUE(contains(run("study status old").out, "2 runs: 2 done"));
   const Ended collected = run("study collect old");
   EXPECT_EQ(collected.code, 0) << collected.err;
-  EXPECT_EQ(file("old/results.csv"), text_of(made / "results.csv"));
+  EXPECT_EQ(file("old/results.csv"), with_later_columns(text_of(made / "results.csv")));
   const Ended again = run("study run old/study.resolved.toml --jobs 1");
   EXPECT_EQ(again.code, 0) << again.err;
   EXPECT_TRUE(contains(again.out, "2 of 2 runs done, 0 of them now")) << again.out;
@@ -244,7 +265,7 @@ TEST_F(RunOfVersion020, ItsScenarioSaysThatTheModelIsAnother) {
   const json record = json::parse(file("again/run.json"));
   EXPECT_EQ(record.at("scenario_version"), "0.2.0");
   EXPECT_TRUE(contains(file("again/report.html"), "scenario written by"));
-  EXPECT_TRUE(json::parse(file("old/run.json")).find("scenario_version") == json::parse(file("old/run.json")).end());
+  EXPECT_FALSE(json::parse(file("old/run.json")).contains("scenario_version"));
   ASSERT_EQ(run("run r.toml -o own --quiet").code, 0);
   EXPECT_TRUE(json::parse(file("own/run.json")).at("scenario_version").is_null());
 }

@@ -35,7 +35,7 @@ TEST_F(Program, HelpOfEveryVerb) {
   }
   EXPECT_TRUE(contains(run("--version").out, "matrigrate 0."));
   EXPECT_TRUE(contains(run("run -h").out, "fields.h5 and fields.xdmf"));
-  EXPECT_TRUE(contains(run("export -h").out, "matrix, outline and anchors"));
+  EXPECT_TRUE(contains(run("export -h").out, "cells, adhesions and matrix over time"));
 }
 
 TEST_F(Program, UsageErrors) {

@@ -194,7 +194,7 @@ class Studies(unittest.TestCase):
         self.assertEqual(set(self.study.statistics["point_a"]), {"=soft"})
         self.assertEqual(set(self.study.groups["point"]), {"=soft", "NA"})
         self.assertEqual(set(self.study.table("paths")["point"]), {"=soft", "NA"})
-        self.assertEqual(list(self.study.table("correlations")), ["readout_x", "readout_y", "n", "r", "p"])
+        self.assertEqual(list(self.study.table("correlations")), ["readout_x", "readout_y", "n", "r", "p", "p_holm"])
         with self.assertRaisesRegex(matrigrate.InputOutputError, "has no effects.csv"):
             self.study.table("effects")
 

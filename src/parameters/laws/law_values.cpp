@@ -153,7 +153,6 @@ std::string fault_of_law_values(const Parameters& p, const Row& law) {
   const std::string& text = text_of(law, p);
   const fields::Expression formula = law_formula(law, p, text);
   if (!formula.tree().chained.empty()) return formula.tree().chained;
-  if (std::string fault = law_unit_fault(law, p, formula); !fault.empty()) return fault;
   const std::vector<bool> used = used_by(formula, law);
   const std::vector<std::vector<double>> axes = grid(law, used, numbers_in(formula.tree(), law_names(p)));
   const auto excess = [&](double value) { return std::max(law.range.low - value, value - law.range.high); };
@@ -167,7 +166,7 @@ std::string fault_of_law_values(const Parameters& p, const Row& law) {
     }
     return std::isfinite(value);
   });
-  if (worst.empty()) return {};
+  if (worst.empty()) return law_unit_fault(law, p, formula);
   const double value = formula.at(worst);
   const std::string place = std::isfinite(value) ? "" : place_of_fault(law, p, formula.tree(), worst);
   return law_fault(law, value, law_arguments(law, worst, used) + place);

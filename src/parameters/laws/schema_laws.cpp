@@ -34,7 +34,7 @@ constexpr std::array rows_of_laws{
         "", of_methods, "Rate of initiation at a particle of the front. Arguments: angle to the polarization [rad] (before there is one: the mean of the law over all angles), curvature kappa [1/um], occupancy (share of occupied receptors), ligand, alignment with the fibres (-1 to 1)", rarely,
         "r_prot"},
     Row{"laws.initiation_bias", [](Parameters& p) -> std::string& { return p.laws.initiation_bias; }, "1", weight,
-        "", of_methods, "Where along the cortex protrusions begin, with the arguments of that rate: the rate is multiplied by bias / mean bias, so the total rate of the cell stays the same. A bias of 0 along the whole cortex is none", rarely,
+        "", of_methods, "Where along the cortex protrusions begin, by the arguments of that rate (angle, kappa, occupancy, ligand, alignment): the rate is multiplied by bias / mean bias, so the total rate of the cell stays the same. A bias of 0 along the whole cortex is none", rarely,
         "1"},
     Row{"laws.polarization_rate", [](Parameters& p) -> std::string& { return p.laws.polarization_rate; }, "1/s", rate,
         "", of_methods, "Rate at which the polarization turns to the mean direction of the adhesions. Argument: the angle between the two [rad]", rarely,

@@ -19,8 +19,8 @@ using GoneValues = std::map<std::pair<int, int>, std::map<std::string, std::stri
 /// Whether a program wrote the text of a study.
 bool is_written_out(std::string_view text);
 
-/// Says by laws what [[points]] and [[conditions]] say by parameters that laws have replaced, and takes the readings that
-/// have gone out of points; of conditions they stay, to be refused.
+/// Says by laws what [[points]] and [[conditions]] say by parameters that laws have replaced, and takes the readings
+/// that have gone out of points; of conditions they stay, to be refused.
 /// @param scenario  of the study: what a point does not say
 /// @return what points said
 GoneValues follow_gone(toml::table& study, const toml::table& scenario);

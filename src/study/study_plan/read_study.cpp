@@ -281,7 +281,8 @@ private:
       take(listed_points(*points, m_study.base, allowance, m_faults));
     if (const auto* hypercube = section("latin_hypercube"))
       take(hypercube_points(*hypercube, m_study.base, m_study.seed, allowance, m_faults));
-    if (drafts.empty()) drafts.push_back({{.label = {}, .settings = {}, .parameters = m_study.base, .seeded_by = {}}, {}, {}});
+    if (drafts.empty())
+      drafts.push_back({{.label = {}, .settings = {}, .parameters = m_study.base, .seeded_by = {}}, {}, {}});
     return drafts;
   }
 

@@ -222,12 +222,14 @@ TEST(Earlier, WhatALawSaysNowIsReadAsTheLawInAFileThatAProgramWrote) {
   EXPECT_EQ(profile("triangle"), "max(0, 1 - abs(kappa - kappa_0)/kappa_w)");
   EXPECT_EQ(profile("gaussian"), "exp(-((kappa - kappa_0)/kappa_w)^2)");
   EXPECT_EQ(profile("half_gaussian"), *find_row("laws.curvature_factor")->before);
-  const auto bias = [&](const std::string& cues) { return read("[cues]\n" + cues).laws.initiation_bias; };
+  const std::string sensed = "[ecm.fields]\nattractant = \"1 + x/100\"\nligand = \"1\"\n[fibres]\narrangement = "
+                             "\"uniaxial\"\n";
+  const auto bias = [&](const std::string& cues) { return read(sensed + "[cues]\n" + cues).laws.initiation_bias; };
   EXPECT_EQ(bias("chemotaxis = 20\nhaptotaxis = 0\n"), "exp(20*occupancy)");
   EXPECT_EQ(bias("chemotaxis = 2.5\nhaptotaxis = -4\nguidance = 1\n"),
             "exp(2.5*occupancy)*exp(-4*ligand)*exp(1*alignment)");
   EXPECT_EQ(bias("chemotaxis = 0\n"), "1");
-  EXPECT_TRUE(read("[cues]\nchemotaxis = 20\n").origin.gone.empty());
+  EXPECT_TRUE(read(sensed + "[cues]\nchemotaxis = 20\n").origin.gone.empty());
   EXPECT_NE(fault_in("version = \"0.2.5\"\n[actomyosin]\ncurvature_profile = \"square\"\n"), "");
 }
 

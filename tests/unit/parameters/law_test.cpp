@@ -311,7 +311,7 @@ TEST(LawNotes, SayWhatIsDoubtful) {
   p.laws.constants = "n = 2, F_c = 1 nN";
   std::vector<std::string> notes = law_notes(p);
   ASSERT_EQ(notes.size(), 3U);
-  EXPECT_EQ(notes[0].find("laws.initiation_rate: angle < 90, at character 9, holds wherever the law is judged"), 0U)
+  EXPECT_EQ(notes[0].find("laws.initiation_rate: angle < 90, at character 8, holds wherever the law is judged"), 0U)
       << notes[0];
   EXPECT_EQ(notes[1].find("laws.constants: n stands in no law"), 0U) << notes[1];
   p.laws.initiation_rate = "n*r_prot*(angle < 1)";

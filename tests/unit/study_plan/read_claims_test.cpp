@@ -122,7 +122,8 @@ TEST(ReadClaims, TellsEachFaultOfAClaim) {
 TEST(ReadClaims, TellsEachFaultOfACondition) {
   EXPECT_EQ(fault_in(R"({ rule = "difers" })"),
             "claims.conditions.rule: \"difers\" is not known; allowed is \"differs\" or \"same\" or \"leans\" or "
-            "\"not_beyond\" or \"ratio_below\" or \"exceeds\" or \"agrees\" or \"lowest_agrees\" or \"highest_agrees\" "
+            "\"msd_leans\" or \"not_beyond\" or \"ratio_below\" or \"exceeds\" or \"agrees\" or \"lowest_agrees\" or "
+            "\"highest_agrees\" "
             "or \"within\" or \"below\" or \"above\" or \"correlates\" or \"uncorrelated\" or \"mean_above\" or "
             "\"none_above\" or \"mostly_up_to\"; did you mean differs?");
   EXPECT_EQ(fault_in("3"), "claims.conditions: is a number, but a table is expected");
@@ -130,7 +131,7 @@ TEST(ReadClaims, TellsEachFaultOfACondition) {
   EXPECT_EQ(fault_in(R"({ rule = "mean_above", readout = "f_mat" })"),
             "claims.conditions.bound: is missing; \"mean_above\" needs readout, bound");
   EXPECT_EQ(fault_in(R"({ rule = "mean_above", readout = "f_mat", bound = 1, sing = "up" })"),
-            "claims.conditions.sing: \"mean_above\" has no such key; it has readout, bound, rule, study");
+            "claims.conditions.sing: \"mean_above\" has no such key; it has readout, bound, rule, study, of_edition");
   EXPECT_TRUE(fault_in(R"({ rule = "mean_above", readout = "f_mt", bound = 1 })").find("; did you mean f_mat? `")
               != std::string::npos);
   EXPECT_EQ(fault_in(R"({ rule = "correlates", readout = "f_mat", with = "l_prot_um", sign = "plus" })"),

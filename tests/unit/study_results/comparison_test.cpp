@@ -128,7 +128,7 @@ TEST(Results, TellWhichWayMeansLeanWhereRunsEndedAtTheRim) {
   }
   EXPECT_EQ(
       rim_text(s, results),
-      "3 of 6 runs ended at the rim of the matrix (n_prot 1: 1 of 3; n_prot 2: 2 of 3): means are those of the "
+      "3 of 6 runs ended at the rim of the matrix (n_prot 1: 1 of 3; n_prot 2: 2 of 3): means are of the "
       "slower cells; take a larger ecm.radius. With ecm.radius = \"75 um\" under [set] and another folder (-o) the "
       "same seeds run in a disc 1.5 times as large.");
   const std::string groups = groups_csv(s, results);

@@ -209,7 +209,7 @@ TEST(Msd, HasTheNumberOfTheCellWhereThereAreSeveral) {
 TEST(Summary, LeavesOutForPeopleWhatARunCannotHave) {
   Parameters p;
   constexpr std::size_t of_claims = 7;
-  EXPECT_EQ(named_values({}).size(), shown_values({}, p).size() + 5 + of_claims);
+  EXPECT_EQ(named_values({}).size(), shown_values({}, p).size() + 10 + of_claims);
   for (const NamedValue& v : shown_values({}, p)) EXPECT_EQ(v.meaning.find("fibres"), std::string_view::npos) << v.name;
   p.fibres.arrangement = FibreArrangement::uniaxial;
   EXPECT_EQ(named_values({}).size(), shown_values({}, p).size() + of_claims);

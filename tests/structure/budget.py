@@ -1,0 +1,62 @@
+"""Lines of code of each wing, and files of the project, are within their budget: budget.py SOURCE [--count]
+
+A wing may grow where CONTRIBUTING.md, "Budget", names who uses what was added. Lines that fall by longer lines do not count:
+clang-format and prettier keep the widths."""
+import pathlib
+import subprocess
+import sys
+
+budget = {
+    "src/base": 1266,
+    "src/fields": 2891,
+    "src/statistics": 729,
+    "src/tracks": 4078,
+    "src/parameters": 5133,
+    "src/model": 11072,
+    "src/run": 10547,
+    "src/validation": 3361,
+    "src/study": 8783,
+    "apps": 5728,
+    "python": 7220,
+    "R": 714,
+    "web": 1247,
+    "viewer/src": 10973,
+}
+most_files = 1675
+endings = (".cpp", ".hpp", ".h", ".py", ".ts", ".css", ".mjs", ".R")
+
+
+def files_of(source):
+    """The tracked files below a folder; without git, none."""
+    listed = subprocess.run(["git", "-C", source, "ls-files", "-z"], capture_output=True, text=True)
+    return [name for name in listed.stdout.split("\0") if name and (source / name).is_file()] if listed.returncode == 0 else []
+
+
+def lines_of(source, names):
+    lines = dict.fromkeys(budget, 0)
+    for name in names:
+        wing = next((wing for wing in budget if name.startswith(wing + "/")), None)
+        if wing and name.endswith(endings):
+            lines[wing] += (source / name).read_bytes().count(b"\n")
+    return lines
+
+
+def main():
+    source = pathlib.Path(sys.argv[1])
+    names = files_of(source)
+    if not names:
+        print("skipped: this is no clone")
+        return 0
+    lines = lines_of(source, names)
+    if "--count" in sys.argv:
+        for wing, count in lines.items():
+            print(f"{wing:16} {count:6} of {budget[wing]}")
+        print(f"{'all':16} {sum(lines.values()):6} of {sum(budget.values())}; {len(names)} files of {most_files}")
+    faults = [f"{wing}: {count} lines, the budget is {budget[wing]}" for wing, count in lines.items() if count > budget[wing]]
+    faults += [f"{len(names)} tracked files, the budget is {most_files}"] * (len(names) > most_files)
+    print("\n".join(faults))
+    return 1 if faults else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
