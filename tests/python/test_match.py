@@ -256,7 +256,7 @@ class Rows(unittest.TestCase):
             self.assertGreater(share(**wider), 1.2 * narrow, wider)
 
     def test_an_outcome_of_seeds_alone_excludes_nothing(self):
-        match = self.matched([Outcome("seeds", 40, error=0.1, at="soft"), outcomes()[0]])
+        match = self.matched([Outcome("seeds", 4, error=0.1, at="soft"), outcomes()[0]])
         self.assertNotIn("seeds at soft", match.rows.index)
         self.assertFalse(match.outcomes.loc["seeds at soft", "told"])
         self.assertIn("seeds at soft: depends on no parameter, as far as the points can tell: it excludes nothing", match.notes)
