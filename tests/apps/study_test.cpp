@@ -56,9 +56,8 @@ TEST_F(Study, PlanWritesNothing) {
 
 TEST_F(Study, TellsWhichWayMeansLeanWhereRunsEndAtTheRim) {
   write_study("\"200 Pa\"", 2, "[set]\nrun.duration = \"0.1 h\"\nprotrusion.number = 1\n");
-  const std::string said =
-      "2 of 2 runs ended at the rim of the matrix (youngs_modulus 200 Pa: 2 of 2): means are of "
-      "the slower cells; take a larger ecm.radius. With ecm.radius = \"60 um\" under [set]";
+  const std::string said = "2 of 2 runs ended at the rim of the matrix (youngs_modulus 200 Pa: 2 of 2): means are of "
+                           "the slower cells; take a larger ecm.radius. With ecm.radius = \"60 um\" under [set]";
   const Ended ended = run("study run e.toml --quiet");
   EXPECT_EQ(ended.code, 4) << ended.err;
   EXPECT_TRUE(contains(ended.out, said)) << ended.out;

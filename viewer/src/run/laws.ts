@@ -1,7 +1,7 @@
 /** Laws that differ from the default ones: both as curves over each argument. */
 import type { ChangedLaw } from "../contract";
 import { h, s } from "../dom";
-import { pretty, readable, ticks } from "../numbers";
+import { pretty, ticks } from "../numbers";
 import { capital } from "../words";
 import { figure, frame, line, type Axis } from "./plots";
 
@@ -17,9 +17,14 @@ function scale(words: string, unit: string, values: number[]): { axis: Axis; at:
     const room = 0.06 * Math.log10(high / low) || 0.5; // of a constant half a decade
     const [from, to] = [Math.log10(low) - room, Math.log10(high) + room];
     const decades = ticks(from, to, 5, Math.max(1, Math.ceil((to - from) / 5)));
-    const parts = ticks(Math.floor(from), to, 1, 1).flatMap((k) => [1, 2, 5].map((m) => k + Math.log10(m))).filter((v) => v >= from && v <= to);
-    const [marks, text] = decades.length > 2 ? [decades, (v: number) => `10${raised(v)}`] : [parts, (v: number) => readable(10 ** v, 2)];
-    return { axis: { low: from, high: to, label: withUnit(words, unit), ticks: marks, text }, at: Math.log10 };
+    if (decades.length > 2) {
+      const text = (v: number) => `10${raised(v)}`;
+      return { axis: { low: from, high: to, label: withUnit(words, unit), ticks: decades, text }, at: Math.log10 };
+    }
+    const whole = Math.floor(Math.log10(low) + 1e-9); // in the unit, so that numbers at the ticks are short
+    const parts = ticks(Math.floor(from), Math.ceil(to), 9, 1).flatMap((k) => [1, 2, 3, 5].map((m) => k + Math.log10(m))).filter((v) => v >= from && v <= to);
+    const label = withUnit(words, `10${raised(whole)}/s`);
+    return { axis: { low: from, high: to, label, ticks: parts, text: (v: number) => String(Number((10 ** (v - whole)).toPrecision(2))) }, at: Math.log10 };
   }
   const top = 1.06 * (Math.max(0, high) || 1);
   const exponent = top < 0.1 || top > 5000 ? Math.floor(Math.log10(top)) : 0; // short numbers at the ticks
