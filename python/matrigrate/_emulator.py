@@ -65,7 +65,7 @@ class Emulator:
         self.parameters = int(cube.shape[1])
         y = (values - self._centre) / self._scale
         self._process = Process(cube, y, runs, seed, linear)
-        left_out, errors, plain = _left_out(cube, y, runs, seed, linear)
+        left_out, errors, plain = _left_out(self._process, cube, y, runs, seed, linear)
         off, known = (y - left_out)**2, (y - plain)**2
         self.explained = float(1.0 - off.mean() / known.mean())
         """Share of the variance of points that the others predict, at most 1; below 0 where their mean alone predicts better."""
@@ -114,13 +114,13 @@ class Constant:
         return np.zeros(len(cube))
 
 
-def _left_out(cube: Array, y: Array, runs: Array, seed: int, linear: bool) -> tuple[Array, Array, Array]:
+def _left_out(process: Process, cube: Array, y: Array, runs: Array, seed: int, linear: bool) -> tuple[Array, Array, Array]:
     """Each value as the points outside of its fold predict it, with the error of a run, and their mean."""
     order = np.random.default_rng(seed).permutation(len(y))
     left_out, errors, plain = np.empty(len(y)), np.empty(len(y)), np.empty(len(y))
     for out in np.array_split(order, min(_folds, len(y))):
         others = np.setdiff1d(order, out)
-        mean, variance, of_run = Process(cube[others], y[others], runs[others], seed, linear)(cube[out])
+        mean, variance, of_run = Process(cube[others], y[others], runs[others], seed, linear, process)(cube[out])
         left_out[out], errors[out], plain[out] = mean, np.sqrt(variance + of_run / runs[out]), y[others].mean()
     return left_out, errors, plain
 

@@ -13,6 +13,8 @@ _jitter = 1e-8
 _waves = 1000  # of a function that is drawn
 _most_members, _least_members = 12, 5  # settings that are averaged
 _most_tries, _least_tries = 192, 48  # settings that these are chosen of
+_less = 0.25  # of the tries, for a part of the points
+_deep = 3  # members whose variance is asked for
 
 
 def scipy() -> Any:
@@ -37,8 +39,14 @@ class _Setting:
         """Of the means at points a and b, a row a point."""
         root = np.sqrt(self.reach)
         x, y = a * root, b * root
-        squared = np.maximum((x**2).sum(axis=1)[:, None] + (y**2).sum(axis=1) - 2.0 * x @ y.T, 0.0)
-        return np.asarray(_constant + self.smooth * np.exp(-0.5 * squared) + self.linear * (a - 0.5) @ (b - 0.5).T)
+        whole = np.concatenate([x, -0.5 * (x**2).sum(axis=1)[:, None], np.ones((len(x), 1))], axis=1) @ np.concatenate(
+            [y.T, np.ones((1, len(y))), -0.5 * (y**2).sum(axis=1)[None]])
+        np.exp(whole, out=whole)
+        whole *= self.smooth
+        whole += _constant
+        if self.linear:
+            whole += self.linear * (a - 0.5) @ (b - 0.5).T
+        return np.asarray(whole)
 
     def variance(self, a: Array) -> Array:
         """Of the mean at points, without any values."""
@@ -119,41 +127,48 @@ class Process:
     The draws are from a normal distribution about the best setting (Laplace), resampled by their weights (Rubin 1988, Bayesian Statistics 3: 395).
     """
 
-    def __init__(self, cube: Array, y: Array, runs: Array, seed: int, linear: bool) -> None:
+    def __init__(self, cube: Array, y: Array, runs: Array, seed: int, linear: bool, like: Process | None = None) -> None:
+        """:param like: of more points: the search begins at its best setting, and draws about it as widely; the weights are of these points"""
         linalg, _ = scipy()
         self._cube, self._runs = cube, runs
         likelihood = _Likelihood(cube, y, runs, linear)
+        self.best = _best(likelihood, np.zeros(likelihood.many) if like is None else like.best)
+        self.roots: Array = _roots(likelihood, self.best) if like is None else like.roots
         self._members = []
-        for setting in _settings(likelihood, np.random.default_rng(seed)):
+        for setting, share in _settings(likelihood, self.best, self.roots, np.random.default_rng(seed), 1.0 if like is None else _less):
             root = linalg.cholesky(setting.covariance(cube, cube) + self._noise(setting), lower=True)
-            self._members.append((setting, root, linalg.cho_solve((root, True), y)))
+            self._members.append((setting, share, root, linalg.cho_solve((root, True), y)))
 
     def __call__(self, cube: Array) -> tuple[Array, Array, Array]:
-        """At points: the mean, its variance, and the variance of a run about it."""
-        linalg, _ = scipy()
-        means, variances = [], []
-        for setting, root, weights in self._members:
+        """At points: the mean, its variance, and the variance of a run about it. How far single members are off is taken from some of them."""
+        means, offs, shares = [], [], np.array([share for _, share, *_ in self._members])
+        deep = np.argsort(-shares, kind="stable")[:_deep]
+        for k, (setting, _, root, weights) in enumerate(self._members):
             with_points = setting.covariance(self._cube, cube)
             means.append(weights @ with_points)
-            half = linalg.solve_triangular(root, with_points, lower=True, check_finite=False, overwrite_b=True)
-            variances.append(np.maximum(setting.variance(cube) - np.einsum("ij,ij->j", half, half), 0.0))
-        return np.mean(means, axis=0), np.mean(variances, axis=0) + np.var(means, axis=0), self.of_run(cube)
+            if k in deep:
+                half = scipy()[0].solve_triangular(root, with_points, lower=True, check_finite=False, overwrite_b=True)
+                offs.append(np.maximum(setting.variance(cube) - np.einsum("ij,ij->j", half, half), 0.0))
+        mean = shares @ means
+        off = np.average(offs, axis=0, weights=shares[np.sort(deep)])
+        return mean, off + shares @ (np.array(means) - mean)**2, self.of_run(cube)
 
     def mean(self, cube: Array) -> Array:
-        return np.mean([weights @ setting.covariance(self._cube, cube) for setting, _, weights in self._members], axis=0)
+        return np.asarray(sum(share * (weights @ setting.covariance(self._cube, cube)) for setting, share, _, weights in self._members))
 
     def of_run(self, cube: Array) -> Array:
         """Variance of a run about the mean."""
-        return np.mean([setting.of_run(cube) for setting, *_ in self._members], axis=0)
+        return np.asarray(sum(share * setting.of_run(cube) for setting, share, *_ in self._members))
 
     def drawn(self, cube: Array, draws: int, random: np.random.Generator) -> Array:
         """Functions that the values allow, a row each: drawn without the values, from waves (Rahimi and Recht 2007, NIPS 20), then moved to where
         the values want them (Wilson et al. 2020, ICML 37)."""
         linalg, _ = scipy()
         both, rows = np.concatenate([cube, self._cube]), []
-        for part, (setting, root, weights) in zip(np.array_split(np.arange(draws), len(self._members)), self._members, strict=True):
-            free = setting.drawn(both, len(part), random)
-            noise = np.sqrt(np.diag(self._noise(setting)))[:, None] * random.standard_normal((len(self._cube), len(part)))
+        ends = np.rint(draws * np.cumsum([share for _, share, *_ in self._members])).astype(int)
+        for many, (setting, _, root, weights) in zip(np.diff(ends, prepend=0), self._members, strict=True):
+            free = setting.drawn(both, many, random)
+            noise = np.sqrt(np.diag(self._noise(setting)))[:, None] * random.standard_normal((len(self._cube), many))
             moved = weights[:, None] - linalg.cho_solve((root, True), free[len(cube):] + noise)
             rows.append((free[:len(cube)] + setting.covariance(cube, self._cube) @ moved).T)
         return np.concatenate(rows)
@@ -162,20 +177,27 @@ class Process:
         return np.diag(setting.of_run(self._cube) / self._runs + _jitter)
 
 
-def _settings(likelihood: _Likelihood, random: np.random.Generator) -> list[_Setting]:
-    """Drawn from their posterior."""
-    _, optimize = scipy()
-    best = optimize.minimize(likelihood, np.zeros(likelihood.many), jac=True, method="L-BFGS-B", bounds=[(-6.0, 6.0)] * likelihood.many,
-                             options={"maxiter": 60}).x
+def _best(likelihood: _Likelihood, begin: Array) -> Array:
+    """The setting with the highest posterior."""
+    return np.asarray(scipy()[1].minimize(likelihood, begin, jac=True, method="L-BFGS-B", bounds=[(-6.0, 6.0)] * likelihood.many,
+                                          options={"maxiter": 60, "ftol": 1e-7}).x)
+
+
+def _roots(likelihood: _Likelihood, best: Array) -> Array:
+    """A matrix that makes of independent normal numbers those with the curvature of the posterior at the best setting."""
     step, slopes = 1e-3, likelihood(best)[1]
     bent = np.array([(likelihood(best + step * one)[1] - slopes) / step for one in np.eye(likelihood.many)])
     curvature, axes = np.linalg.eigh(0.5 * (bent + bent.T))
-    curvature = np.maximum(curvature, 0.5)  # of the prior alone it is 1
+    return np.asarray(axes / np.sqrt(np.maximum(curvature, 0.5)))  # of the prior alone the curvature is 1
+
+
+def _settings(likelihood: _Likelihood, best: Array, roots: Array, random: np.random.Generator, less: float) -> list[tuple[_Setting, float]]:
+    """Drawn from their posterior, each with its share."""
     n = len(likelihood.y)
-    members, tries = int(np.clip(2000 // n, _least_members, _most_members)), int(np.clip(20000 // n, _least_tries, _most_tries))
+    members, tries = int(np.clip(2000 // n, _least_members, _most_members)), int(less * np.clip(20000 // n, _least_tries, _most_tries))
     normal = random.standard_normal((tries, likelihood.many))
-    places = best + (normal / np.sqrt(curvature)) @ axes.T
+    places = best + normal @ roots.T
     logs = 0.5 * (normal**2).sum(axis=1) - np.array([likelihood.value(place) for place in places])
     weights = np.cumsum(np.exp(logs - logs.max()))
-    chosen = np.searchsorted(weights / weights[-1], (np.arange(members) + 0.5) / members)
-    return [likelihood.setting(places[k]) for k in chosen]
+    chosen, times = np.unique(np.searchsorted(weights / weights[-1], (np.arange(members) + 0.5) / members), return_counts=True)
+    return [(likelihood.setting(places[k]), float(many) / members) for k, many in zip(chosen, times, strict=True)]

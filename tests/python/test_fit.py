@@ -14,7 +14,10 @@ import matrigrate  # noqa: E402
 import numpy as np  # noqa: E402
 import pandas  # noqa: E402
 from matrigrate import _fit, _measurement, calibrate, tracks  # noqa: E402
+from matrigrate._emulator import Emulator  # noqa: E402
 from matrigrate._measurement import Points  # noqa: E402
+from matrigrate._process import Process  # noqa: E402
+from scipy.stats import qmc  # noqa: E402
 
 cells = 12
 
@@ -115,6 +118,47 @@ class OfAKnownModel(unittest.TestCase):
             self.assertEqual((page.parent / "mine.txt").read_text(), "kept")
             with self.assertRaisesRegex(matrigrate.InputOutputError, "is no folder"):
                 fit.write(page, overwrite=True)
+
+
+class Honesty(unittest.TestCase):
+    """Shares and intervals of emulators against fresh runs of functions that are known."""
+
+    @staticmethod
+    def known(signal, many, parameters, seed):
+        """Points with values of a function with scatter 1, and fresh ones."""
+        random = np.random.default_rng(seed)
+        cube, fresh = qmc.LatinHypercube(parameters, seed=seed).random(many), random.random((400, parameters))
+        runs = [signal * (at[:, 0] + np.sin(3 * at[:, 1])) + random.normal(0, 1, len(at)) for at in (cube, fresh)]
+        return cube, runs[0], fresh, runs[1]
+
+    def emulated(self, *known, seed):
+        cube, values, fresh, runs = self.known(*known, seed)
+        return Emulator(cube, values, np.ones(len(cube)), seed, linear=known[2] > 6), fresh, runs
+
+    def inside(self, *known, seed):
+        """Share of fresh runs in the intervals of 90 %."""
+        cube, values, fresh, runs = self.known(*known, seed)
+        mean, variance, of_run = Process(cube, (values - values.mean()) / values.std(), np.ones(len(cube)), seed, known[2] > 6)(fresh)
+        return np.mean(np.abs((runs - values.mean()) / values.std() - mean) <= 1.645 * np.sqrt(variance + of_run))
+
+    def test_noise_is_not_predicted(self):
+        for many, parameters in ((40, 4), (64, 12)):
+            found = [self.emulated(0.0, many, parameters, seed=seed) for seed in range(1, 6)]
+            self.assertLess(np.mean([one[0].explained for one in found]), 0.05)
+            self.assertLessEqual(sum(one[0].tells for one in found), 1)
+
+    def test_a_signal_is_stated_as_fresh_runs_show_it(self):
+        found = [self.emulated(3.0, 64, 4, seed=seed) for seed in range(1, 6)]
+        stated = [one[0].explained for one in found]
+        honest = [1 - np.mean((runs - emulator(fresh)[0])**2) / np.var(runs) for emulator, fresh, runs in found]
+        self.assertTrue(all(one[0].tells for one in found))
+        self.assertAlmostEqual(np.mean(stated), np.mean(honest), delta=0.1)
+
+    def test_intervals_hold_nine_tenths_of_fresh_runs(self):
+        for many, parameters, signal in ((40, 4, 0.0), (40, 4, 3.0), (64, 12, 0.0), (64, 12, 3.0), (128, 4, 1.0), (128, 12, 3.0)):
+            with self.subTest(points=many, parameters=parameters, signal=signal):
+                share = np.mean([self.inside(signal, many, parameters, seed=seed) for seed in range(1, 13)])
+                self.assertTrue(0.87 <= share <= 0.93, share)
 
 
 class Priors(unittest.TestCase):

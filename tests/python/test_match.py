@@ -21,7 +21,6 @@ import numpy as np  # noqa: E402
 import pandas  # noqa: E402
 from matrigrate import _outcomes, _space, calibrate  # noqa: E402
 from matrigrate._study_file import key_of  # noqa: E402
-from matrigrate._emulator import Emulator  # noqa: E402
 from matrigrate.calibrate import Outcome, match  # noqa: E402
 from matrigrate.errors import ConfigurationError  # noqa: E402
 from scipy.stats import qmc  # noqa: E402
@@ -421,38 +420,6 @@ protrusion.force = ["0.2 nN", "0.6 nN"]
         self.assertEqual(parameters, ["ecm.youngs_modulus_Pa"])
         self.assertEqual(sorted(frame["condition"].unique()), ["one", "two"])
         self.assertEqual(len(frame), 8)
-
-
-class Honesty(unittest.TestCase):
-    """Shares and intervals of emulators against fresh runs of functions that are known."""
-
-    @staticmethod
-    def emulated(signal, many, parameters, seed):
-        """An emulator of a function with scatter 1, and fresh runs of it."""
-        random = np.random.default_rng(seed)
-        cube, fresh = qmc.LatinHypercube(parameters, seed=seed).random(many), random.random((400, parameters))
-        truth = lambda at: signal * (at[:, 0] + np.sin(3 * at[:, 1]))  # noqa: E731
-        emulator = Emulator(cube, truth(cube) + random.normal(0, 1, many), np.ones(many), seed, linear=parameters > 6)
-        return emulator, fresh, truth(fresh) + random.normal(0, 1, len(fresh))
-
-    def inside(self, emulator, fresh, runs):
-        mean, error = emulator(fresh)
-        return np.mean(np.abs(runs - mean) <= 1.645 * np.hypot(error, emulator.scatter(fresh)))
-
-    def test_noise_is_not_predicted(self):
-        for many, parameters in ((40, 4), (64, 12)):
-            found = [self.emulated(0.0, many, parameters, seed) for seed in range(1, 6)]
-            self.assertLess(np.mean([one[0].explained for one in found]), 0.05)
-            self.assertLessEqual(sum(one[0].tells for one in found), 1)
-            self.assertGreater(np.mean([self.inside(*one) for one in found]), 0.85)
-
-    def test_a_signal_is_stated_as_fresh_runs_show_it(self):
-        found = [self.emulated(3.0, 64, 4, seed) for seed in range(1, 6)]
-        stated = [one[0].explained for one in found]
-        honest = [1 - np.mean((runs - emulator(fresh)[0])**2) / np.var(runs) for emulator, fresh, runs in found]
-        self.assertTrue(all(one[0].tells for one in found))
-        self.assertAlmostEqual(np.mean(stated), np.mean(honest), delta=0.1)
-        self.assertTrue(0.86 < np.mean([self.inside(*one) for one in found]) < 0.94)
 
 
 class Limits(unittest.TestCase):
