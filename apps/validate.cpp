@@ -51,9 +51,9 @@ int validate(ValidateArguments options) {
                            ? apply_overrides(validation::default_parameters(), options.overrides, law_rules())
                            : read_parameters(options.scenario, options.overrides, law_rules());
   for (const auto* one : chosen)
-    if ((one->name == "disassembly" || one->name == "competition") && is_changed(*find_row("laws.disassembly_rate"), p))
-      throw ConfigurationError({{"", 0, 0, "laws.disassembly_rate",
-                                 fmt::format("the case {} is of Eq. 7, and takes no other law", one->name)}});
+    if (one->name == "disassembly" && is_changed(*find_row("laws.disassembly_rate"), p))
+      throw ConfigurationError(
+          {{"", 0, 0, "laws.disassembly_rate", "the case disassembly is of Eq. 7, and takes no other law"}});
   if (options.folder.empty()) options.folder = "validate-" + options.name;
   make_output_folder(options.folder, options.force);
   const std::vector<Outcome> outcomes = run_cases(chosen, options.name, p, options.folder, [&](const Outcome& outcome) {

@@ -151,7 +151,7 @@ _matrigrate() {
   matrigrate_reproduce)
     if [[ $cur == -* ]]; then COMPREPLY=($(compgen -W "--help --output --replicates --jobs --integrator --set --from --kept --json --quiet" -- "$cur")); else COMPREPLY=(); fi ;;
   matrigrate_validate)
-    if [[ $cur == -* ]]; then COMPREPLY=($(compgen -W "--help --output --scenario --set --force --json --quiet" -- "$cur")); else COMPREPLY=($(compgen -W "patch rigid stretch creep relaxation point-force load poiseuille tearing convergence step-limit fibres fibres-uniaxial protrusion maturation time-step disassembly handover follow fibre-maturation competition stunting initiation all" -- "$cur")); fi ;;
+    if [[ $cur == -* ]]; then COMPREPLY=($(compgen -W "--help --output --scenario --set --force --json --quiet" -- "$cur")); else COMPREPLY=($(compgen -W "patch rigid stretch creep relaxation point-force load poiseuille tearing convergence step-limit fibres fibres-uniaxial protrusion maturation time-step disassembly follow initiation all" -- "$cur")); fi ;;
   matrigrate_selftest)
     if [[ $cur == -* ]]; then COMPREPLY=($(compgen -W "--help --with --json" -- "$cur")); else COMPREPLY=(); fi ;;
   esac

@@ -131,7 +131,7 @@ complete -c matrigrate -n '__matrigrate_at study plan' -F
 complete -c matrigrate -n '__matrigrate_at study plan' -s h -l help -d 'Print this help message and exit'
 complete -c matrigrate -n '__matrigrate_at study plan' -s o -l output -x -a '(__fish_complete_directories)' -d 'Folder of the study (default: <file>-study)'
 complete -c matrigrate -n '__matrigrate_at study plan' -l jobs -x -d 'Runs at a time, one thread each (default: the number of cores)'
-complete -c matrigrate -n '__matrigrate_at study plan' -l json -d 'Print the plan as one JSON object, with every run, its seed and its folder'
+complete -c matrigrate -n '__matrigrate_at study plan' -l json -d 'Print the plan as JSON: points with their settings, runs with their seeds'
 
 complete -c matrigrate -n '__matrigrate_at study run' -F
 complete -c matrigrate -n '__matrigrate_at study run' -s h -l help -d 'Print this help message and exit'
@@ -226,7 +226,7 @@ complete -c matrigrate -n '__matrigrate_at reproduce' -l kept -x -d 'Folder with
 complete -c matrigrate -n '__matrigrate_at reproduce' -l json -d 'Print the table as JSON'
 complete -c matrigrate -n '__matrigrate_at reproduce' -l quiet -d 'Show no progress'
 
-complete -c matrigrate -n '__matrigrate_at validate' -a 'patch rigid stretch creep relaxation point-force load poiseuille tearing convergence step-limit fibres fibres-uniaxial protrusion maturation time-step disassembly handover follow fibre-maturation competition stunting initiation all'
+complete -c matrigrate -n '__matrigrate_at validate' -a 'patch rigid stretch creep relaxation point-force load poiseuille tearing convergence step-limit fibres fibres-uniaxial protrusion maturation time-step disassembly follow initiation all'
 complete -c matrigrate -n '__matrigrate_at validate' -s h -l help -d 'Print this help message and exit'
 complete -c matrigrate -n '__matrigrate_at validate' -s o -l output -x -a '(__fish_complete_directories)' -d 'Folder for the results (default: validate-NAME)'
 complete -c matrigrate -n '__matrigrate_at validate' -l scenario -r -F -d 'Take material and numerics from this scenario file'

@@ -35,7 +35,7 @@ void add_local(CLI::App& group, Action& chosen) {
   CLI::App* verb = group.add_subcommand("plan", "Points, runs, expected time and disk; writes nothing");
   add_file(*verb, *plan);
   add_jobs(*verb, *plan);
-  verb->add_flag("--json", plan->json, "Print the plan as one JSON object, with every run, its seed and its folder");
+  verb->add_flag("--json", plan->json, "Print the plan as JSON: points with their settings, runs with their seeds");
   verb->callback([plan, &chosen] {
     chosen = [plan] { return print_plan(read_study_file(*plan), job_count(plan->jobs), plan->json); };
   });

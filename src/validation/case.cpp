@@ -10,8 +10,7 @@ namespace matrigrate::validation {
 // Each is in the file of its name. Geometry and loads are a case's own; material and numerics come from the parameters.
 using CaseOf = Result(const Parameters&);
 CaseOf patch, rigid, stretch, creep, relaxation, point_force, load, poiseuille, tearing, convergence, step_limit,
-    fibres, fibres_uniaxial, protrusion, maturation, time_step, disassembly, initiation, handover, follow,
-    fibre_maturation, competition, stunting;
+    fibres, fibres_uniaxial, protrusion, maturation, time_step, disassembly, initiation, follow;
 
 // Plots of cases from their tables alone, so that they can be made of kept tables. They throw an InputOutputError if
 // the table has not the columns of the case.
@@ -77,13 +76,8 @@ const std::vector<Case>& cases() {
       {"time-step", "One protrusion followed with shorter and shorter steps, and with adaptive ones.", time_step},
       {"disassembly", "Rate of disassembly against force (Eq. 7); lifetimes under constant force.", disassembly,
        plot_disassembly},
-      {"handover", "One adhesion from maturation to contraction: its force, and what Eq. 7 makes of it.", handover},
       {"follow", "A lone protrusion whose adhesion never lets go: how far the body follows, and what stops it.",
        follow},
-      {"fibre-maturation", "Maturation of a protrusion among parallel fibres, fresh and after a body has pushed there.",
-       fibre_maturation},
-      {"competition", "Two and three adhesions that hold each other while one more protrusion grows.", competition},
-      {"stunting", "Length of a protrusion that grows askew, or beside an old tunnel.", stunting},
       {"initiation", "Waiting times and places of protrusions of a polarized cell.", initiation},
   };
   return all;

@@ -1,13 +1,6 @@
 """History matching against a model whose parameters are known: the space that is left, rows that exclude each other, the next wave."""
-import contextlib
-import importlib
-import io
-import json
 import math
-import os
 import pathlib
-import subprocess
-import sys
 import tempfile
 import tomllib
 import unittest
@@ -53,13 +46,6 @@ def outcomes(a=0.4, b=0.5, error=0.3):
             Outcome("length", 20 - 6 * b + 4 * a, error=error, at="soft", name="kept", held_back=True)]
 
 
-def search(test):
-    """The tool that runs the search for closures."""
-    sys.path.insert(0, str(common.source / "tools"))
-    test.addCleanup(sys.path.pop, 0)
-    return importlib.import_module("wave")
-
-
 class AFileOfOutcomes(unittest.TestCase):
     def read(self, text):
         with tempfile.TemporaryDirectory() as folder:
@@ -84,16 +70,6 @@ class AFileOfOutcomes(unittest.TestCase):
         for text in ("", "outcomes = 3", "[[outcomes]"):
             with self.subTest(text), self.assertRaises(matrigrate.ConfigurationError):
                 self.read(text)
-
-    def test_of_the_choice_of_closures_is_read_and_names_its_conditions(self):
-        folder = pathlib.Path(__file__).parents[2] / "docs" / "validation"
-        wave = tomllib.loads((folder / "wave-1.toml").read_text(encoding="utf-8"))
-        labels = {one["label"] for one in wave["conditions"]} | {f"first, {force}" for force in search(self).FORCES}
-        outcomes = calibrate.read_outcomes(folder / "outcomes.toml")
-        self.assertGreater(len(outcomes), 20)
-        for one in outcomes:
-            self.assertLessEqual({one.at, one.minus or one.at}, labels, one)
-            self.assertEqual(one.faults(0.1), [])
 
 
 class OfAKnownModel(unittest.TestCase):
@@ -135,19 +111,6 @@ class OfAKnownModel(unittest.TestCase):
         self.assertAlmostEqual(found["speed at soft less stiff"][0], 3.2, delta=0.5)
         with self.assertRaisesRegex(matrigrate.ConfigurationError, "c: the points have no such column"):
             self.match.predict(pandas.DataFrame({"a": [1], "b": [2]}))
-
-    def test_parameters_may_be_held(self):
-        wave = search(self)
-        cube = wave.slice_of(self.match, {"b": 10**0.5})
-        np.testing.assert_allclose(cube[:, 1], 0.5)
-        self.assertGreater(np.ptp(cube[:, 0]), 0.99)
-        with contextlib.redirect_stdout(io.StringIO()) as said:
-            likely, unlikely = wave.at(self.match, {"a": 0.4}), wave.at(self.match, {"a": 0.9})
-        self.assertGreater(likely, 1.5)
-        self.assertLess(unlikely, 0.01)
-        self.assertIn("implausibility at the mean", said.getvalue())
-        with self.assertRaisesRegex(SystemExit, "d: is none of a, b, c"):
-            wave.slice_of(self.match, {"d": 1.0})
 
     def test_the_next_wave_fills_what_is_plausible(self):
         points = self.match.next_points(12)
@@ -383,25 +346,6 @@ protrusion.force = ["0.2 nN", "0.6 nN"]
         with self.assertRaises(matrigrate.ConfigurationError):
             match.write_study("bad.toml", 3, "wave-1.toml", keys=keys | {"b": "ecm.poissons_ratio"})
         self.assertFalse((self.folder / "bad.toml").exists(), "what the program refuses is not kept")
-
-    def test_the_kept_wave_has_its_ranges_and_conditions(self):
-        wave = search(self)
-        table = wave.kept(1)
-        ranges = wave.prior_of(table)
-        self.assertEqual(len(ranges), 12)
-        self.assertEqual(ranges["cell.bending_stiffness_N_m"], (5e-17, 5e-16, "log"))
-        first = {f"first, {force}" for force in wave.FORCES}
-        self.assertEqual(set(table["condition"]), {one["label"] for one in wave.first_wave()["conditions"]} | first)
-        self.assertEqual(table["condition"].isin(first).sum(), 128, "64 points, each with its parameters")
-        for name, (low, high, *_) in ranges.items():
-            self.assertTrue(table[name].between(low, high).all(), name)
-
-    def test_first_protrusions_are_a_study_at_the_points_of_a_wave(self):
-        wave = search(self)
-        program = os.environ["MATRIGRATE"]
-        file = wave.study_of_first_protrusions(1, program, self.folder)
-        plan = json.loads(subprocess.run([program, "study", "plan", file, "--json"], check=True, capture_output=True, text=True).stdout)
-        self.assertEqual({point["label"] for point in plan["points"]}, set(pandas.read_csv(wave.KEPT / "wave-1-first.csv")["label"]))
 
     def test_columns_of_parameters(self):
         for column, key in (("contact.cells.adhesion_range_um", "contact.cells.adhesion_range"), ("ecm.youngs_modulus_Pa", "ecm.youngs_modulus"),
