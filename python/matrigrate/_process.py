@@ -14,7 +14,7 @@ _waves = 1000  # of a function that is drawn
 _most_members, _least_members = 12, 5  # settings that are averaged
 _most_tries, _least_tries = 192, 48  # settings that these are chosen of
 _less = 0.25  # of the tries, for a part of the points
-_deep = 3  # members whose variance is asked for
+_deep = 2  # members whose variance is asked for
 
 
 def scipy() -> Any:
