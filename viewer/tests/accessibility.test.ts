@@ -38,7 +38,7 @@ test("diverging maps have two ends, and a middle lighter than both, with any kin
 });
 
 test("letters act from any control that has no use for them, until they are switched off", async () => {
-  const browser = await launch(false);
+  const browser = await launch();
   const { page, errors } = await open(browser, "run", JSON.stringify(run));
   const layer = () => page.locator("input[name=layer]:checked").getAttribute("value");
   await page.locator("input[value=displacement]").check();
@@ -59,7 +59,7 @@ test("letters act from any control that has no use for them, until they are swit
 });
 
 test("whoever listens hears the moment, the layer and the fibres, and nothing while it plays", async () => {
-  const browser = await launch(false);
+  const browser = await launch();
   const { page } = await open(browser, "run", JSON.stringify(run));
   const words = async () => (await page.locator(told).textContent()) ?? "";
   await page.locator(".stage").focus();
@@ -79,7 +79,7 @@ test("whoever listens hears the moment, the layer and the fibres, and nothing wh
 });
 
 test("nothing moves by itself where stillness is wanted", async () => {
-  const browser = await launch(false);
+  const browser = await launch();
   const { page } = await open(browser, "run", JSON.stringify(run), { reducedMotion: "reduce" });
   assert.equal(await page.locator(".stage .time").textContent(), "2 h 00 min", "the end is shown");
   const moving = await page.evaluate(() => document.getAnimations().length);
@@ -89,7 +89,7 @@ test("nothing moves by itself where stillness is wanted", async () => {
 });
 
 test("on paper there are pictures with their legends, and no controls", async () => {
-  const browser = await launch(false);
+  const browser = await launch();
   const { page, errors } = await open(browser, "run", JSON.stringify(run), { colorScheme: "dark" });
   await page.emulateMedia({ media: "print" });
   await page.evaluate(() => dispatchEvent(new Event("beforeprint")));
@@ -105,7 +105,7 @@ test("on paper there are pictures with their legends, and no controls", async ()
 });
 
 test("controls and regions have names of their own", async () => {
-  const browser = await launch(false);
+  const browser = await launch();
   for (const [template, data] of [["run", run], ["study", sampleStudy(2)], ["verdicts", sampleVerdicts()]] as const) {
     const { page } = await open(browser, template, JSON.stringify(data));
     const found = await page.evaluate(() => {

@@ -124,7 +124,7 @@ async function looks(page: Page, name: string, file: string): Promise<[string, s
 
 test("all pictures look as those that are kept", { skip: [program, source, core].includes(undefined) || !able() }, async () => {
   const folder = mkdtempSync(join(tmpdir(), "matrigrate-pictures-"));
-  const browser = await launch(false);
+  const browser = await launch();
   try {
     const { pictures, pages } = made(folder);
     const page = await browser.newPage({ reducedMotion: "reduce" });

@@ -6,7 +6,7 @@ import { sampleStudy } from "../sample/study";
 import { launch, open, until } from "./browser";
 
 test("limits of colours and lengths of arrows are shared, or each run's own", async () => {
-  const browser = await launch(false);
+  const browser = await launch();
   const study = sampleStudy(1);
   const [first, second] = study.players ?? [];
   // Stresses of the second run are half those of the first.

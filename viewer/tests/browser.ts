@@ -20,6 +20,7 @@ const quiet = [
   "--metrics-recording-only",
   "--disable-domain-reliability",
   "--disable-features=OptimizationHints,MediaRouter",
+  "--disable-3d-apis",
 ];
 
 const launched: Browser[] = [];
@@ -29,12 +30,11 @@ after(async () => {
   await Promise.all(launched.map((browser) => browser.close()));
 });
 
-/** @param card  with WebGL, computed by the processor; without it the fallback draws */
-export async function launch(card: boolean): Promise<Browser> {
+export async function launch(): Promise<Browser> {
   const browser = await chromium.launch({
     executablePath: process.env["CHROMIUM"] ?? "/usr/bin/chromium",
     timeout: patience,
-    args: [...quiet, ...(card ? ["--use-angle=swiftshader", "--enable-unsafe-swiftshader"] : ["--disable-3d-apis"])],
+    args: quiet,
   });
   launched.push(browser);
   return browser;

@@ -21,7 +21,7 @@ const shifts: [number, number][] = [
 
 let browser: Browser;
 before(async () => {
-  browser = await launch(false);
+  browser = await launch();
 });
 after(async () => {
   await browser.close();

@@ -60,7 +60,7 @@ test("strain is that of the ends, and a fibre with an end in the fluid is gone",
 });
 
 test("fibres are drawn, explained, switched by key and box, saved, and not there without any", async () => {
-  const browser = await launch(false);
+  const browser = await launch();
   const run = sampleRun({ radius: 60, interval: 600, end: 7200 });
   const { page, errors } = await open(browser, "run", JSON.stringify(run));
   await page.locator(".scrub").fill("3900");

@@ -7,7 +7,7 @@ import { launch, open, settled } from "./browser";
 import { difference } from "./pictures";
 
 test("pictures of the hook are those of the player", async () => {
-  const browser = await launch(false);
+  const browser = await launch();
   const run = sampleRun({ radius: 60, interval: 600, end: 7200 });
   const { page, errors } = await open(browser, "run", JSON.stringify(run));
   const taken = await page.evaluate(async () => {

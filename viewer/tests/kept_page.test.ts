@@ -69,7 +69,7 @@ async function checkStudy(page: Page, name: string, study: StudyData): Promise<v
 }
 
 test("every figure of the kept results is drawn, with all its points", options, async () => {
-  const browser = await launch(false);
+  const browser = await launch();
   const names = new Set<string>();
   for (const rows of ["all", "X"]) {
     const page = await browser.newPage();

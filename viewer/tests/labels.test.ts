@@ -13,7 +13,7 @@ import { allDrawn, launch, open } from "./browser";
 
 let browser: Browser;
 before(async () => {
-  browser = await launch(false);
+  browser = await launch();
 });
 after(async () => {
   await browser.close();

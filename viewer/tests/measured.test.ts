@@ -57,7 +57,7 @@ test("a track is seen on front and rear of a cell and on any matrix, on light an
 
 let browser: Browser;
 before(async () => {
-  browser = await launch(false);
+  browser = await launch();
 });
 after(async () => {
   await browser.close();

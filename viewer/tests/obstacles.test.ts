@@ -8,7 +8,7 @@ import { launch, open, until } from "./browser";
 
 let browser: Browser;
 before(async () => {
-  browser = await launch(false);
+  browser = await launch();
 });
 after(async () => {
   await browser.close();

@@ -58,7 +58,7 @@ test("what of a cell lies at a point is said: its body, a protrusion with its ph
 });
 
 test("the pointer and the keyboard find the same value, as field and as particles", async () => {
-  const browser = await launch(false);
+  const browser = await launch();
   const { page, errors } = await open(browser, "run", JSON.stringify(run));
   const probe = page.locator(".probe");
   await page.locator(".scrub").fill("3900");
@@ -91,7 +91,7 @@ test("the pointer and the keyboard find the same value, as field and as particle
 });
 
 test("every control is reached by the tab key and has a name; the story is there in words", async () => {
-  const browser = await launch(false);
+  const browser = await launch();
   const { page } = await open(browser, "run", JSON.stringify(run));
   const nameless = await page.evaluate(() =>
     [...document.querySelectorAll("button, input, select, summary, [tabindex]")]

@@ -59,7 +59,7 @@ async function opened(browser: Browser, file: string): Promise<{ page: Page; err
 
 async function within(work: (folder: string, browser: Browser) => Promise<void>): Promise<void> {
   const folder = mkdtempSync(join(tmpdir(), "matrigrate-real-"));
-  const browser = await launch(false);
+  const browser = await launch();
   try {
     writeFileSync(join(folder, "s.toml"), scenario);
     writeFileSync(join(folder, "e.toml"), study);

@@ -4,7 +4,7 @@ import { after, before, test } from "node:test";
 import type { Browser, Page } from "playwright-core";
 import type { RunPage } from "../src/contract";
 import { sampleRun } from "../sample/run";
-import { launch, open, settled, shot, still, until, type Opened } from "./browser";
+import { launch, open, settled, shot, still, until } from "./browser";
 
 /** A short run in a small disc for what does not depend on size. */
 const small = sampleRun({ radius: 90, interval: 600, end: 7200 });
@@ -14,75 +14,52 @@ const json = (run: unknown): string => JSON.stringify(run);
 
 const time = (page: Page) => page.locator(".stage .time").textContent();
 
-for (const card of [true, false]) {
-  const name = card ? "WebGL2" : "plain canvas";
-  const query = card ? "?draw=webgl" : "";
-  let browser: Browser;
-  let opened: Opened;
-  before(async () => {
-    browser = await launch(card);
-  });
-  after(async () => {
-    await browser.close();
-  });
-
-  test(`${name}: a full run opens without an error or a request`, async () => {
-    assert.equal(large.geometry.n_particles, 17665);
-    assert.equal(large.frames?.times_s.length, 73);
-    const text = json(large);
-    opened = await open(browser, "run", text, {}, query);
-    console.log(
-      `# ${name}: ${large.geometry.n_particles} particles x 73 frames, ${(text.length / 1e6).toFixed(1)} MB, open in ${Math.round(opened.took)} ms`,
-    );
-    assert.equal(await opened.page.locator(".stage").getAttribute("data-painter"), card ? "webgl2" : "2d");
-    assert.deepEqual(opened.errors, []);
-    assert.deepEqual(opened.requests, []);
-    await opened.page.context().close();
-  });
-
-  test(`${name}: layers change the picture`, async () => {
-    const { page, errors } = await open(browser, "run", json(small), {}, query);
-    await page.locator(".scrub").fill("3900");
-    const seen = new Set<string>();
-    for (const layer of ["degradation", "displacement", "pressure", "von_mises", "fibre_von_mises"]) {
-      await page.locator(`input[value=${layer}]`).check();
-      seen.add(await still(page));
-    }
-    assert.equal(seen.size, 5);
-    assert.ok(await page.locator(".panel").getByText("Fibre von Mises stress (Pa)").isVisible());
-    // What lies over the matrix is drawn the same way with either.
-    for (const overlay of card ? [] : ["traction", "cell", "protrusions", "adhesions", "path", "polarization", "arrows"]) {
-      await page.locator(`input[name=${overlay}]`).click();
-      const now = await still(page);
-      assert.ok(!seen.has(now), `${overlay} changes nothing`);
-      seen.add(now);
-    }
-    await page.locator("input[name=cell]").check();
-    for (const edge of card ? [] : ["f_mat", "force"]) {
-      await page.locator("select[name=edge]").selectOption(edge);
-      const now = await still(page);
-      assert.ok(!seen.has(now), `the edge by ${edge} changes nothing`);
-      seen.add(now);
-    }
-    assert.deepEqual(errors, []);
-    await page.context().close();
-  });
-}
-
-test("a card that the processor plays is left alone, since the plain canvas is faster", async () => {
-  const slow = await launch(true);
-  const { page, errors } = await open(slow, "run", json(small));
-  assert.equal(await page.locator(".stage").getAttribute("data-painter"), "2d");
-  assert.deepEqual(errors, []);
-  await slow.close();
-});
-
 let browser: Browser;
 before(async () => {
-  browser = await launch(false);
+  browser = await launch();
 });
 after(async () => {
   await browser.close();
+});
+
+test("a full run opens without an error or a request", async () => {
+  assert.equal(large.geometry.n_particles, 17665);
+  assert.equal(large.frames?.times_s.length, 73);
+  const text = json(large);
+  const opened = await open(browser, "run", text);
+  console.log(
+    `# ${large.geometry.n_particles} particles x 73 frames, ${(text.length / 1e6).toFixed(1)} MB, open in ${Math.round(opened.took)} ms`,
+  );
+  assert.deepEqual(opened.errors, []);
+  assert.deepEqual(opened.requests, []);
+  await opened.page.context().close();
+});
+
+test("layers change the picture", async () => {
+  const { page, errors } = await open(browser, "run", json(small));
+  await page.locator(".scrub").fill("3900");
+  const seen = new Set<string>();
+  for (const layer of ["degradation", "displacement", "pressure", "von_mises", "fibre_von_mises"]) {
+    await page.locator(`input[value=${layer}]`).check();
+    seen.add(await still(page));
+  }
+  assert.equal(seen.size, 5);
+  assert.ok(await page.locator(".panel").getByText("Fibre von Mises stress (Pa)").isVisible());
+  for (const overlay of ["traction", "cell", "protrusions", "adhesions", "path", "polarization", "arrows"]) {
+    await page.locator(`input[name=${overlay}]`).click();
+    const now = await still(page);
+    assert.ok(!seen.has(now), `${overlay} changes nothing`);
+    seen.add(now);
+  }
+  await page.locator("input[name=cell]").check();
+  for (const edge of ["f_mat", "force"]) {
+    await page.locator("select[name=edge]").selectOption(edge);
+    const now = await still(page);
+    assert.ok(!seen.has(now), `the edge by ${edge} changes nothing`);
+    seen.add(now);
+  }
+  assert.deepEqual(errors, []);
+  await page.context().close();
 });
 
 test("plays, pauses, scrubs and steps", async () => {

@@ -17,7 +17,7 @@ test("sequential colour maps rise in brightness, so that they can be read withou
 });
 
 test("limits and colours can be chosen, and are taken back", async () => {
-  const browser = await launch(false);
+  const browser = await launch();
   const { page, errors } = await open(browser, "run", JSON.stringify(sampleRun({ radius: 60, interval: 600, end: 7200 })));
   const bar = page.locator(".legend-layer .bar").first();
   await page.locator(".scrub").fill("3900");

@@ -7,7 +7,7 @@ import { allDrawn, launch, open, settled, until } from "./browser";
 
 let browser: Browser;
 before(async () => {
-  browser = await launch(false);
+  browser = await launch();
 });
 after(async () => {
   await browser.close();

@@ -12,8 +12,8 @@ import { visitedBox, outlineAt, placeAt, type Film, type Place } from "./frames"
 import { attachGestures } from "./gestures";
 import { overlays, type Layer, type OverlayKey, type Shown } from "./matrix/layers";
 import type { Pen } from "./over/pen";
-import type { ParticlePainter } from "./matrix/particle_scene";
-import { particlePainter, plainInstead } from "./matrix/particles";
+import type { ParticleScene } from "./matrix/particle_scene";
+import { particlePainter } from "./matrix/particles";
 import { isDarkGround, LayerScale } from "./matrix/scale";
 import type { SharedScales } from "./matrix/shared";
 import type { Coloured, View } from "./stage_view";
@@ -35,7 +35,8 @@ export class Stage {
   private unseen = true;
   private readonly top = h("canvas", { class: "cell" });
   private readonly home: Box;
-  private painter: ParticlePainter;
+  private readonly matrix = h("canvas", { class: "matrix" });
+  private readonly paintMatrix: (scene: ParticleScene) => void;
   private pixels = 1;
   /** Place of the last picture between the stored frames. */
   place: Place = { frame: 0, next: 0, fraction: 0 };
@@ -64,7 +65,6 @@ export class Stage {
     this.layer = layers[0];
     this.fibreLayer = fibreLayer(film);
     this.measured = measuredOf(run.measured);
-    const bottom = h("canvas", { class: "matrix" });
     this.element = h(
       "div",
       {
@@ -73,18 +73,14 @@ export class Stage {
         role: "group",
         "aria-label": "The cell in the matrix. Keys are listed below it.",
       },
-      bottom,
+      this.matrix,
       this.top,
     );
     this.edge = edges(film)[0];
     const r = run.geometry.radius_um + run.geometry.spacing_um;
     this.camera = new Camera({ left: -r, right: r, bottom: -r, top: r });
     this.home = visitedBox(film);
-    this.painter = particlePainter(bottom, film, run.geometry.spacing_um, () => {
-      this.painter = plainInstead(this.painter.canvas, film, run.geometry.spacing_um);
-      this.fit();
-    });
-    this.element.dataset["painter"] = this.painter.kind;
+    this.paintMatrix = particlePainter(this.matrix, film, run.geometry.spacing_um);
     attachGestures(this.element, this.camera, (panned) => {
       // After a drag the camera no longer follows the cell.
       if (panned) this.follow = false;
@@ -92,7 +88,6 @@ export class Stage {
     });
     clock.onChange(() => this.draw(), gone);
     onDarkMode(() => this.draw(), gone);
-    gone.addEventListener("abort", () => this.painter.close());
     const printed = () => {
       this.fit();
       this.paint();
@@ -254,7 +249,7 @@ export class Stage {
   /** @param pixels  of the canvases in a pixel of the page */
   private resolve(pixels: number): void {
     this.pixels = pixels;
-    for (const canvas of [this.painter.canvas, this.top]) {
+    for (const canvas of [this.matrix, this.top]) {
       canvas.width = Math.round(this.camera.width * pixels);
       canvas.height = Math.round(this.camera.height * pixels);
     }
@@ -269,13 +264,13 @@ export class Stage {
     });
   }
 
-  /** Chromium prints neither what the card has drawn nor a canvas of many thousand squares, but a picture of either. */
+  /** Chromium prints no canvas of many thousand squares, but a picture of it. */
   private layMatrixUnderCell(): void {
     const c = this.top.getContext("2d");
     if (!c) return;
     c.setTransform(1, 0, 0, 1, 0, 0);
     c.globalCompositeOperation = "destination-over";
-    c.drawImage(this.painter.canvas, 0, 0);
+    c.drawImage(this.matrix, 0, 0);
     c.globalCompositeOperation = "source-over";
   }
 
@@ -297,18 +292,14 @@ export class Stage {
     if (this.drawsFibres && this.fibreLayer) bars.push(this.fibreScale(this.fibreLayer).bar(dark));
     if (hasColours(this.edge, this.shown)) bars.push(edgeBar(this.edge));
     const [title, time] = [this.run.title, this.clock.time];
-    return { camera, pixels, matrix: this.painter.canvas, top, bars, title, time, dark };
+    return { camera, pixels, matrix: this.matrix, top, bars, title, time, dark };
   }
 
-  /** The view at another resolution, for one picture. Throws if the graphics card draws none so large.   @param pixels  of the canvases in a pixel of the page */
+  /** The view at another resolution, for one picture. @param pixels  of the canvases in a pixel of the page */
   viewAt<T>(pixels: number, use: (view: View) => T): T {
     const usual = this.pixels;
     this.resolve(pixels);
     try {
-      const { canvas } = this.painter;
-      const card = canvas.getContext("webgl2"); // null: a plain canvas
-      if (card && (card.drawingBufferWidth < canvas.width || card.drawingBufferHeight < canvas.height))
-        throw new Error("the graphics card draws no picture so large; take a smaller width");
       return use(this.view());
     } finally {
       this.resolve(usual);
@@ -336,7 +327,7 @@ export class Stage {
     const { layer } = this;
     const scale = this.scale().on(dark);
     this.patch = this.smooth ? resample(film, layer, place, camera, this.run.geometry.spacing_um, this.patch?.sums) : null;
-    this.painter.paint({ place, layer, scale, camera, dark, patch: this.patch, pixels: this.pixels });
+    this.paintMatrix({ place, layer, scale, camera, dark, patch: this.patch, pixels: this.pixels });
     const c = this.top.getContext("2d");
     if (!c) return;
     c.setTransform(this.pixels, 0, 0, this.pixels, 0, 0);

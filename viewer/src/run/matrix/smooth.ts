@@ -1,4 +1,4 @@
-/** The interpolated matrix on a plain canvas: computed at every few pixels, and enlarged smoothly by the browser. */
+/** The interpolated matrix: computed at every few pixels, and enlarged smoothly by the browser. */
 import { gelOnDark, gelOnLight, lookUp, type Rgb } from "../../colour";
 import type { ParticleScene } from "./particle_scene";
 import { channels, contourEnds, coverage, leastShare, solidShare, type Patch } from "./resample";
