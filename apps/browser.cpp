@@ -2,6 +2,7 @@
 
 #include "base/failure.hpp"
 #include "base/process.hpp"
+#include "run/folder_state.hpp"
 
 #include <fmt/format.h>
 
@@ -21,7 +22,7 @@ fs::path page_of(const fs::path& folder) {
   std::error_code error;
   if (fs::is_regular_file(folder, error) && folder.extension() == ".html") return folder;
   if (fs::is_regular_file(folder / "report.html", error)) return folder / "report.html";
-  if (!fs::is_directory(folder, error)) throw InputOutputError(fmt::format("{}: is no folder", folder.string()));
+  require(run::look_at(folder), run::Use::see_files);
   fs::path newest;
   for (const auto& entry : fs::directory_iterator(folder)) {
     const bool page = entry.path().extension() == ".html" && entry.path().filename().string().starts_with("report-");

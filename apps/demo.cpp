@@ -6,6 +6,7 @@
 #include "base/file.hpp"
 #include "parameters/presets.hpp"
 #include "parameters/read.hpp"
+#include "run/folder_state.hpp"
 #include "simulation/start.hpp"
 #include "simulation/start_rules.hpp"
 
@@ -43,7 +44,8 @@ int demonstrate(const DemoArguments& options) {
   const std::filesystem::path folder = options.folder.empty() ? free_folder() : std::filesystem::path(options.folder);
   print_error(fmt::format("{} of a cell that migrates through a gel of {:.0f} Pa, into {}/\n",
                           fmt::format("{:g} hours", options.hours), 1e3 * p.ecm.youngs_modulus, folder.string()));
-  make_output_folder(folder, false);
+  require(run::look_at(folder), run::Use::pictures);
+  make_folder(folder);
   RunStart start{.s = initial_state(p), .p = p};
   start.scenario = options.preset;
   RunDisplay display(false);

@@ -6,6 +6,7 @@
 #include "parameters/laws/law.hpp"
 #include "parameters/read.hpp"
 #include "run/estimate.hpp"
+#include "run/folder_state.hpp"
 #include "run/run_record.hpp"
 #include "simulation/start_fields.hpp"
 #include "simulation/start_rules.hpp"
@@ -187,7 +188,8 @@ void draw_fields(const Parameters& p, const std::string& folder) {
   const FieldSummaries given = field_summaries(p);
   if (given.fields.empty())
     throw UsageError("the scenario has no fields to draw; docs/how-to/fields.md shows how to add them");
-  make_output_folder(folder, false);
+  require(run::look_at(folder), run::Use::pictures);
+  make_folder(folder);
   const std::vector<Vec2> outline = round_cortex(p.cell).x;
   for (const FieldSummary& field : given.fields) {
     const std::string unit = field.row->unit == "1" ? std::string() : fmt::format(" ({})", field.row->unit);

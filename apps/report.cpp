@@ -7,6 +7,7 @@
 #include "base/failure.hpp"
 #include "base/file.hpp"
 #include "report/run_page.hpp"
+#include "run/folder_state.hpp"
 #include "study_report/measured_json.hpp"
 #include "tables/cell_tracks.hpp"
 
@@ -39,23 +40,21 @@ std::vector<tracks::CellTrack> tracks_to_draw(const ReportArguments& options) {
 
 int report(const ReportArguments& options) {
   const std::filesystem::path folder = options.folder;
-  std::error_code error;
   const std::vector<tracks::CellTrack> tracks = tracks_to_draw(options);
-  if (std::filesystem::is_regular_file(folder / "study.resolved.toml", error)) {
+  const run::FolderState state = run::look_at(folder);
+  require(state, run::Use::see_either);
+  if (state.has(run::Holds::a_study)) {
     const StudyFolder study = study::open_study(folder);
     Collected collected = gathered(study);
     require_no_loss(study, collected.results);
     write_study_report(study, collected, options.play, tracks);
-  } else if (std::filesystem::is_regular_file(folder / "run.json", error)) {
+  } else {
     if (!options.play.empty()) throw UsageError("--play is for studies: the report of a run plays that run");
     const FinishedRun run = read_run(folder);
     tell_lost_frames(run);
     auto page = page_data(run);
     page["measured"] = study::measured_json(tracks);
     write_file(folder / "report.html", report::filled_page(run_page_template(), page));
-  } else {
-    throw InputOutputError(fmt::format(
-        "{}: is the folder of neither a run (no run.json) nor a study (no study.resolved.toml)", folder.string()));
   }
   print(fmt::format("open {}\n", (folder / "report.html").string()));
   return done;

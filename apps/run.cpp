@@ -7,7 +7,7 @@
 #include "base/file.hpp"
 #include "parameters/read.hpp"
 #include "run/estimate.hpp"
-#include "run/occupied_folder.hpp"
+#include "run/folder_state.hpp"
 #include "run/resume.hpp"
 #include "simulation/start.hpp"
 #include "simulation/start_rules.hpp"
@@ -59,13 +59,14 @@ Parameters parameters_of(const RunArguments& options) {
 }
 
 RunOutcome outcome_of(const RunArguments& options, const Parameters& p, const RunOptions& how, RunDisplay& display) {
-  require_no_study(how.folder);
-  if (!options.force && holds_run(how.folder, p)) return resume(how, p, display);
-  options.force ? warn_of_other_files(how.folder, display) : require_free(how.folder, p, display);
+  const FolderState state = options.force ? look_at(how.folder) : look_at(how.folder, p, display);
+  require(state, options.force ? Use::run_anew : Use::run);
+  if (state.has(Holds::this_run)) return resume(how, p, display);
+  if (options.force) warn_of_other_files(how.folder, display);
   if (const std::string note = note_of_scenario(p); !note.empty()) display.warn(note);
   RunStart start{.s = initial_state(p), .p = p};
   if (options.file_is_temporary) start.scenario = std::filesystem::path(options.file).stem().string();
-  make_output_folder(how.folder, options.force);
+  make_folder(how.folder);
   if (!options.quiet && !options.json)
     if (const std::string cost = run::cost_of_reference_steps(p); !cost.empty())
       print(fmt::format("{}: {}\n", options.file, cost));

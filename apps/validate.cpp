@@ -5,6 +5,7 @@
 #include "parameters/laws/law.hpp"
 #include "parameters/nearest.hpp"
 #include "parameters/read.hpp"
+#include "run/folder_state.hpp"
 #include "simulation/start_rules.hpp"
 
 #include <CLI/CLI.hpp>
@@ -55,7 +56,8 @@ int validate(ValidateArguments options) {
       throw ConfigurationError(
           {{"", 0, 0, "laws.disassembly_rate", "the case disassembly is of Eq. 7, and takes no other law"}});
   if (options.folder.empty()) options.folder = "validate-" + options.name;
-  make_output_folder(options.folder, options.force);
+  if (!options.force) require(run::look_at(options.folder), run::Use::results);
+  make_folder(options.folder);
   const std::vector<Outcome> outcomes = run_cases(chosen, options.name, p, options.folder, [&](const Outcome& outcome) {
     if (options.json || options.quiet) return;
     print(to_text(outcome));

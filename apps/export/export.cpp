@@ -10,6 +10,7 @@
 #include "observe/even_times.hpp"
 #include "parameters/units.hpp"
 #include "run/finished_run.hpp"
+#include "run/folder_state.hpp"
 #include "run/own_files.hpp"
 #include "run/provenance.hpp"
 #include "run/run_record.hpp"
@@ -89,14 +90,13 @@ void require_even_frames(const FinishedRun& run, const std::string& folder) {
 
 /// Makes room for what is exported: other kinds in the folder stay, the same kind is replaced if `force`.
 void prepare(const std::filesystem::path& to, const std::vector<ExportKind>& kinds, bool force) {
-  if (std::filesystem::exists(to / "run.json"))
-    throw InputOutputError(fmt::format("{}: is the folder of a run; export into another one", to.string()));
+  require(run::look_at(to), run::Use::exports);
   for (const ExportKind& kind : kinds)
     if (const auto files = files_of(kind, to); !files.empty() && !force)
       throw InputOutputError(fmt::format("{}: exists; {} --force replaces this kind of export, -o FOLDER writes it "
                                          "somewhere else",
                                          files.front().string(), kind.option));
-  make_output_folder(to, true);
+  make_folder(to);
   for (const ExportKind& kind : kinds) std::ranges::for_each(files_of(kind, to), remove_file);
 }
 
@@ -167,11 +167,6 @@ int export_study(const ExportArguments& options) {
   return done;
 }
 
-bool is_study(const std::string& folder) {
-  std::error_code error;
-  return std::filesystem::is_regular_file(std::filesystem::path(folder) / "study.resolved.toml", error);
-}
-
 int export_run(ExportArguments options) {
   auto& wanted = options.wanted;
   wanted["--panel"] = !options.panel.empty();
@@ -181,7 +176,7 @@ int export_run(ExportArguments options) {
   if (!options.pixel.empty() && !wanted["--ome-tiff"]) throw UsageError("--pixel: is for --ome-tiff");
   const bool only_tracks = std::ranges::all_of(
       kinds, [](const ExportKind& kind) { return kind.option == "--tracks" || kind.option == "--openvt"; });
-  if (only_tracks && is_study(options.folder)) return export_study(options);
+  if (only_tracks && run::look_at(options.folder).has(run::Holds::a_study)) return export_study(options);
   const exchange::Times times = wanted_times(options.times);
   const DrawnKinds drawn{.movie = wanted["--movie"], .frames = wanted["--png"], .panel = wanted["--panel"]};
   const FinishedRun run = read_run(options.folder);

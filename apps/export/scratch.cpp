@@ -21,7 +21,7 @@ std::filesystem::path drawing_folder(const std::filesystem::path& in) {
   std::filesystem::path folder = std::filesystem::absolute(in / ".drawing");
   if (std::filesystem::is_symlink(folder)) // what it leads to is not ours to remove
     throw InputOutputError(fmt::format("{}: is a symbolic link; remove it", folder.string()));
-  make_output_folder(folder, true);
+  make_folder(folder);
   return folder;
 }
 

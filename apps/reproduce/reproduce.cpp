@@ -8,6 +8,7 @@
 #include "claims/parts.hpp"
 #include "claims/study_claims.hpp"
 #include "parameters/nearest.hpp"
+#include "run/folder_state.hpp"
 #include "run/run_record.hpp"
 #include "simulation/step_limits.hpp"
 #include "study_report/claim_report.hpp"
@@ -64,8 +65,7 @@ int reproduce(const ReproduceOptions& options) {
   for (const std::string& name : study::studies_of(claims)) // faults of overrides before anything is written
     study::shipped(name, options);
   for (const std::string& folder : {options.from, options.kept})
-    if (!folder.empty() && !std::filesystem::is_directory(folder))
-      throw InputOutputError(fmt::format("{}: is no folder", folder));
+    if (!folder.empty()) require(run::look_at(folder), run::Use::see_files);
   std::vector<study::Claim> needed = claims;
   if (options.chooses("F1") && options.from.empty()) { // by two runs of A1
     ReproduceOptions first = options;
@@ -74,7 +74,7 @@ int reproduce(const ReproduceOptions& options) {
   }
   study::require_own_study_folders(needed, options);
   study::require_own_claim_report(needed, options);
-  make_output_folder(options.folder, true);
+  make_folder(options.folder);
   const std::string setting = setting_text(options);
   if (!options.quiet && !options.json) print_error(setting + "\n");
   std::vector<study::JudgedClaim> rows;

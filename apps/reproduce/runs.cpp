@@ -59,7 +59,7 @@ study::JudgedClaim judged_by_case(const study::PartRow& row, const ReproduceOpti
   if (!options.from.empty())
     return study::judged_by_kept_case(row, std::filesystem::path(options.from) / (name + ".json"));
   const std::filesystem::path folder = std::filesystem::path(options.folder) / name;
-  make_output_folder(folder, true);
+  make_folder(folder);
   const auto which = std::ranges::find(validation::cases(), row.verification, &validation::Case::name);
   const StopSignal stop; // a second one ends this program, and with it the case
   const std::vector<Outcome> outcomes =

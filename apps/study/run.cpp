@@ -10,7 +10,7 @@
 #include "parameters/closures.hpp"
 #include "run/estimate.hpp"
 #include "run/folder_lock.hpp"
-#include "run/occupied_folder.hpp"
+#include "run/folder_state.hpp"
 #include "simulation/start_rules.hpp"
 #include "study_runs/study_progress.hpp"
 

@@ -105,7 +105,7 @@ int submit_study(SubmitOptions options) {
   const std::size_t tasks = open.empty() ? 0 : (open.size() + chunk - 1) / chunk;
   std::string job;
   if (tasks > 0) {
-    make_output_folder(study.folder / "slurm", true);
+    make_folder(study.folder / "slurm");
     const std::string text = task_list(study, open, chunk);
     const std::string list = fmt::format("slurm/tasks-{}.txt", store::text_hash(text));
     write_file(study.folder / list, text);

@@ -188,22 +188,13 @@ std::string read_file(const std::filesystem::path& path, std::size_t max_bytes) 
 namespace {
 
 /// Locks, and what a killed writer has left.
-bool is_hidden(const std::filesystem::path& path) { return path.filename().string().starts_with('.'); }
-
 } // namespace
 
-void make_output_folder(const std::filesystem::path& path, bool force) {
+void make_folder(const std::filesystem::path& path) {
   std::error_code error;
   const auto status = std::filesystem::status(path, error);
-  if (std::filesystem::exists(status)) {
-    if (!std::filesystem::is_directory(status)) fail(path, "exists and is not a folder");
-    const std::filesystem::directory_iterator entries(path, error);
-    const bool empty = std::ranges::all_of(entries, [](const auto& entry) { return is_hidden(entry.path()); });
-    if (error) fail(path, "cannot be read: " + error.message());
-    if (!empty && !force)
-      fail(path, "exists and is not empty; choose another folder, or pass --force to write into it");
-    return;
-  }
+  if (std::filesystem::is_directory(status)) return;
+  if (std::filesystem::exists(status)) fail(path, "exists and is not a folder");
   std::filesystem::create_directories(path, error);
   if (error) fail(path, "cannot be made: " + error.message());
 }

@@ -53,10 +53,9 @@ std::string read_file(const std::filesystem::path& path, std::size_t max_bytes);
 /// @throws InputOutputError as read_file
 std::string read_start(const std::filesystem::path& path, std::size_t bytes);
 
-/// Creates a folder for results. An existing folder that is not empty, apart from hidden files, is refused unless
-/// `force`. Nothing is deleted.
+/// Creates a folder, and those above it, where there is none.
 /// @throws InputOutputError naming the path and the reason
-void make_output_folder(const std::filesystem::path& path, bool force);
+void make_folder(const std::filesystem::path& path);
 
 /// The folder for what is not to be kept: TMPDIR, or the system's.
 /// @throws InputOutputError if there is no such folder

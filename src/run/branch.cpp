@@ -7,7 +7,7 @@
 #include "parameters/schema.hpp"
 #include "parameters/version.hpp"
 #include "run/folder_lock.hpp"
-#include "run/occupied_folder.hpp"
+#include "run/folder_state.hpp"
 #include "run/own_files.hpp"
 #include "run/provenance.hpp"
 #include "run/stopped_run.hpp"
@@ -160,27 +160,13 @@ void require_own_past(const fs::path& from, const Json& record, const Origin& or
                               fmt::join(programs, " and "), version_line()));
 }
 
-/// Whether a folder holds the same branch.
-bool holds_the_branch(const fs::path& folder, const Parameters& p, const Json& event) {
-  const Json record = record_of(folder);
-  const std::vector<Json> lineage = lineage_of(record);
-  if (lineage.empty() || text_of(record, "configuration_hash") != configuration_hash(p)) return false;
-  const auto agrees = [&](const char* key) { return lineage.back().value(key, Json()) == event.value(key, Json()); };
-  return agrees("event") && agrees("from") && agrees("at_s") && agrees("configuration_hash");
-}
-
-/// @throws InputOutputError if the folder holds anything else than a beginning of the branch, which was killed before
-/// it
-///         had a checkpoint and is removed
-void require_free_for(const fs::path& folder, const Parameters& p, const Json& event) {
-  if (is_free(folder)) return;
-  const bool begun = holds_the_branch(folder, p, event);
-  if (!begun || has_checkpoint(folder))
-    throw InputOutputError(fmt::format("{}: exists and is not empty{}; choose another folder with -o", folder.string(),
-                                       begun ? fmt::format(": it holds this branch, which goes on with: matrigrate "
-                                                           "resume {}",
-                                                           folder.string())
-                                             : ""));
+/// Makes the folder of a branch. A beginning of it, killed before it had a checkpoint, is removed.
+/// @throws InputOutputError if the folder holds anything else
+void make_folder_for(const fs::path& folder, const Parameters& p, const Json& event) {
+  const FolderState state = look_at_branch(folder, p, event);
+  require(state, Use::branch);
+  make_folder(folder);
+  if (!state.has(Holds::begun_branch)) return;
   const FolderLock lock(folder, FolderLock::Kind::alone, std::chrono::milliseconds(500)); // nobody computes it
   remove_run_files(folder);
 }
@@ -223,8 +209,7 @@ RunOutcome branch(const fs::path& from, const BranchOptions& how, const RunOptio
   start.lineage.back()["set"] = how.overrides;
   start.p = after;
   start.before = BranchPoint{.p = before, .until = until};
-  require_free_for(options.folder, after, start.lineage.back());
-  make_output_folder(options.folder, false);
+  make_folder_for(options.folder, after, start.lineage.back());
   return run(std::move(start), options, observer);
 }
 

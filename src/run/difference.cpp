@@ -6,6 +6,7 @@
 #include "parameters/gone.hpp"
 #include "parameters/read.hpp"
 #include "parameters/schema.hpp"
+#include "run/folder_state.hpp"
 #include "run/run_record.hpp"
 #include "tables/csv.hpp"
 #include "tables/naming.hpp"
@@ -16,7 +17,10 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <iterator>
 #include <optional>
+#include <string_view>
+#include <utility>
 
 namespace matrigrate::run {
 
@@ -46,8 +50,7 @@ Side side(const std::string& name) {
   if (!fs::is_directory(name, error))
     return {.name = name, .p = read_parameters(name), .record = {}, .summary = {}, .tracks = {}};
   const fs::path folder = name;
-  if (!fs::exists(folder / "run.json"))
-    throw InputOutputError(fmt::format("{}: is not the folder of a run (it has no run.json)", name));
+  require(look_at(folder), Use::see_run);
   Side one{.name = name,
            .p = read_parameters(folder / "scenario.resolved.toml"),
            .record = read_record(folder),
@@ -58,18 +61,6 @@ Side side(const std::string& name) {
     if (one.tracks.empty()) throw InputOutputError(fmt::format("{}: is empty", tracks.string()));
   }
   return one;
-}
-
-/// [path, value of a, value of b] of the parameters that differ.
-Json parameters_that_differ(const Side& a, const Side& b) {
-  Json list = Json::array();
-  for (const Row& row : schema())
-    if (const std::string left = value_text(row, a.p), right = value_text(row, b.p); left != right)
-      list.push_back({row.path, left, right});
-  for (const auto& differs : gone_that_differ(a.p, b.p)) list.push_back(differs);
-  if (const std::string left = cells_text(a.p), right = cells_text(b.p); left != right)
-    list.push_back({"cells", left, right});
-  return list;
 }
 
 /// [name, value of a, value of b] of the read-outs that both have; empty values are null.
@@ -101,9 +92,20 @@ std::optional<double> first_difference(const Side& a, const Side& b) {
 
 } // namespace
 
+std::vector<std::array<std::string, 3>> parameters_that_differ(const Parameters& a, const Parameters& b) {
+  std::vector<std::array<std::string, 3>> list;
+  const auto note = [&](std::string_view path, std::string left, std::string right) {
+    if (left != right) list.push_back({std::string(path), std::move(left), std::move(right)});
+  };
+  for (const Row& row : schema()) note(row.path, value_text(row, a), value_text(row, b));
+  std::ranges::copy(gone_that_differ(a, b), std::back_inserter(list));
+  note("cells", cells_text(a), cells_text(b));
+  return list;
+}
+
 Json difference(const std::string& of_a, const std::string& of_b) {
   const Side a = side(of_a), b = side(of_b);
-  Json found{{"a", a.name}, {"b", b.name}, {"parameters", parameters_that_differ(a, b)}};
+  Json found{{"a", a.name}, {"b", b.name}, {"parameters", parameters_that_differ(a.p, b.p)}};
   if (a.record.is_null() || b.record.is_null()) return found;
   const std::string hash = text_of(a.record, "trajectory_hash");
   found["same_trajectory"] = !hash.empty() && hash == text_of(b.record, "trajectory_hash");

@@ -6,6 +6,7 @@
 #include "observe/even_times.hpp"
 #include "parameters/read.hpp"
 #include "report/run_page.hpp"
+#include "run/folder_state.hpp"
 #include "run/run_record.hpp"
 #include "state/dof.hpp"
 #include "store/checkpoint.hpp"
@@ -72,11 +73,7 @@ store::Checkpoint checkpoint_in(const std::filesystem::path& folder, const std::
 
 FinishedRun read_run(const std::filesystem::path& folder) {
   std::error_code error;
-  if (std::filesystem::is_regular_file(folder / "study.resolved.toml", error))
-    throw InputOutputError(
-        fmt::format("{0}: is the folder of a study; name one of its runs, {0}/runs/NAME", folder.string()));
-  if (!std::filesystem::is_regular_file(folder / "run.json", error))
-    throw InputOutputError(fmt::format("{}: holds no run: it has no run.json", folder.string()));
+  require(look_at(folder), Use::see_run);
   FinishedRun run;
   run.folder = folder;
   run.record = read_record(folder);

@@ -35,13 +35,6 @@ RunOutcome resume_from(const FoundCheckpoint& found, const RunOptions& options, 
 
 } // namespace
 
-bool holds_run(const std::filesystem::path& folder, const Parameters& p) {
-  const Json record = record_of(folder);
-  const std::string wanted = configuration_hash(p);
-  if (text_of(record, "configuration_hash") == wanted) return true;
-  return (record.is_object() || has_checkpoint(folder)) && written_configuration(folder) == wanted;
-}
-
 RunOutcome resume(const RunOptions& options, const ResumeOptions& from, RunObserver& observer) {
   const Json record = record_of(options.folder);
   if (!from.previous && is_done(options.folder, record, observer)) return done_before(options, record, observer);

@@ -8,9 +8,6 @@
 /// Runs that were interrupted. Test: tests/unit/run/simulate_test.cpp, tests/apps/resume_test.cpp
 namespace matrigrate::run {
 
-/// True if a folder holds a run, done or not, of these parameters; the number of threads may differ.
-bool holds_run(const std::filesystem::path& folder, const Parameters& p);
-
 struct ResumeOptions {
   bool previous = false;      ///< from checkpoint_prev.h5, also if the run is done
   std::optional<int> threads; ///< none: as many as before

@@ -71,7 +71,7 @@ void RunFolder::write_checkpoint(const State& s, const Workspace& w, double marc
   m_run.memory.counts = w.health;
   m_run.memory.march_wall_time = march_wall_time;
   const std::filesystem::path checkpoints = m_run.folder / "checkpoints";
-  if (keep) make_output_folder(checkpoints, true);
+  if (keep) make_folder(checkpoints);
   store::write_checkpoint(m_run.folder,
                           {.state = s,
                            .scenario = to_toml(m_run.p),

@@ -8,6 +8,7 @@
 #include "parameters/read.hpp"
 #include "parameters/schema.hpp"
 #include "parameters/version.hpp"
+#include "run/folder_state.hpp"
 #include "run/provenance.hpp"
 #include "simulation/march.hpp"
 #include "simulation/step_limits.hpp"
@@ -129,30 +130,12 @@ FoundCheckpoint read_checkpoint_of(const fs::path& folder, const fs::path& file)
   return found;
 }
 
-namespace {
-
-/// What a folder without a checkpoint holds, and how to go on with it.
-std::string without_checkpoint(const fs::path& folder) {
-  std::error_code error;
-  if (const fs::path study = folder / "study.resolved.toml"; fs::is_regular_file(study, error))
-    return fmt::format(": is the folder of a study; matrigrate study run {} computes what is missing of it",
-                       study.string());
-  const auto commands = commands_of(record_of(folder));
-  return fmt::format(": holds no checkpoint to resume from{}",
-                     commands.empty()
-                         ? std::string()
-                         : "; the command that began it begins it again: " + command_text(commands.back()));
-}
-
-} // namespace
-
 FoundCheckpoint last_checkpoint(const fs::path& folder, bool previous) {
   const fs::path last = folder / store::checkpoint_name;
   const fs::path before = folder / store::previous_checkpoint_name;
   std::error_code error;
-  if (!fs::exists(folder, error)) throw InputOutputError(fmt::format("{}: there is no such folder", folder.string()));
+  require(look_at(folder), Use::resume);
   if (previous || (!fs::exists(last, error) && fs::exists(before, error))) return read_checkpoint_of(folder, before);
-  if (!fs::exists(last, error)) throw InputOutputError(folder.string() + without_checkpoint(folder));
   try {
     return read_checkpoint_of(folder, last);
   } catch (const InputOutputError& trouble) {

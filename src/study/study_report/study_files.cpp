@@ -4,7 +4,7 @@
 #include "base/file.hpp"
 #include "claims/study_claims.hpp"
 #include "report/run_page.hpp"
-#include "run/occupied_folder.hpp"
+#include "run/folder_state.hpp"
 #include "run/own_files.hpp"
 #include "run/provenance.hpp"
 #include "run/run_record.hpp"

@@ -6,7 +6,7 @@
 #include "parameters/read.hpp"
 #include "parameters/schema.hpp"
 #include "parameters/write.hpp"
-#include "run/occupied_folder.hpp"
+#include "run/folder_state.hpp"
 #include "run/run_record.hpp"
 #include "run/stopped_run.hpp"
 #include "study_plan/names.hpp"
@@ -111,28 +111,35 @@ std::vector<std::string> differences(const StudyFolder& there, const StudyFolder
   return lines;
 }
 
-/// @throws InputOutputError if the folder holds a study and neither extends the other
-void require_same_study(const StudyFolder& study) {
+/// Notes in what the study of a folder differs, if neither extends the other and something was computed of it.
+void compare_with(const StudyFolder& study, run::FolderState& state) {
   if (holds_points(study) && holds_base(study)) return;
-  const std::string other = "\n-o FOLDER computes this study somewhere else";
   try {
     const StudyFolder there = open_study(study.folder);
     const auto points_there = points_of(there);
     const auto points_here = points_of(study);
     const std::vector<std::string> only_there = without(points_there, points_here);
     const std::vector<std::string> only_here = without(points_here, points_there);
-    if (only_there.empty() || only_here.empty()) return;
-    if (std::ranges::none_of(there.runs,
-                             [&](const Run& run) { return standing(there.folder, run).status != RunState::missing; }))
-      return; // nothing was computed of it
-    throw InputOutputError(
-        fmt::format("{}: holds another study{}:\n  {}{}", study.folder.string(),
-                    there.study.title.empty() ? std::string() : fmt::format(", \"{}\"", there.study.title),
-                    run::listed(differences(there, study, only_there, only_here), "\n  "), other));
+    const auto is_missing = [&](const Run& run) { return standing(there.folder, run).status == RunState::missing; };
+    if (only_there.empty() || only_here.empty() || std::ranges::all_of(there.runs, is_missing)) return;
+    state.holds |= run::Holds::other_study;
+    state.detail = (there.study.title.empty() ? std::string() : fmt::format(", \"{}\"", there.study.title)) + ":\n  "
+                   + run::listed(differences(there, study, only_there, only_here), "\n  ");
   } catch (const ConfigurationError& error) {
-    throw InputOutputError(
-        fmt::format("{}: holds a study that cannot be compared: {}{}", study.folder.string(), error.what(), other));
+    state.holds |= run::Holds::unclear_study;
+    state.detail = error.what();
   }
+}
+
+/// What was written of a study before its file: of a pool that was killed early.
+void forget_own_names(const StudyFolder& study, run::FolderState& state) {
+  if (holds_base(study)) std::erase(state.names, scenario_file);
+  const auto sets = measured_sets(study.study);
+  for (std::size_t k = 0; k < sets.size(); ++k)
+    if (is_text(study.folder / measured_file(k), tracks::measured_csv(*sets[k])))
+      std::erase(state.names, measured_file(k));
+  std::erase(state.names, "runs");
+  if (state.names.empty()) state.holds &= ~unsigned{run::Holds::something};
 }
 
 /// The seed that the scenario in a folder of a run names; none if there is no such file.
@@ -196,32 +203,18 @@ std::filesystem::path default_study_folder(const std::filesystem::path& file) {
 }
 
 void require_own_folder(const StudyFolder& study) {
-  const fs::path& folder = study.folder;
-  std::error_code error;
-  const fs::file_status status = fs::status(folder, error);
-  if (fs::exists(status) && !fs::is_directory(status))
-    throw InputOutputError(fmt::format("{}: is no folder; choose another one with -o", folder.string()));
-  std::vector<std::string> there = run::visible_entries(folder);
-  const auto holds = [&](const char* name) { return std::ranges::find(there, name) != there.end(); };
-  if (holds("run.json") || run::has_checkpoint(folder))
-    throw InputOutputError(fmt::format("{}: is the folder of a run, and holds {}; choose another folder for the study "
-                                       "with -o",
-                                       folder.string(), run::listed(there, ", ")));
-  if (holds(study_file)) return require_same_study(study);
-  if (holds_base(study)) std::erase(there, scenario_file); // killed before the next file
-  const auto sets = measured_sets(study.study);
-  for (std::size_t k = 0; k < sets.size(); ++k)
-    if (is_text(folder / measured_file(k), tracks::measured_csv(*sets[k]))) std::erase(there, measured_file(k));
-  std::erase(there, "runs");
-  if (!there.empty())
-    throw InputOutputError(fmt::format("{}: holds other files, and no study: {}; choose another folder with -o",
-                                       folder.string(), run::listed(there, ", ")));
+  run::FolderState state = run::look_at(study.folder);
+  if (state.has(run::Holds::a_study))
+    compare_with(study, state);
+  else if (!state.has(run::Holds::run_json | run::Holds::checkpoint))
+    forget_own_names(study, state);
+  require(state, run::Use::study);
 }
 
 void make_study_folder(const StudyFolder& study) {
   require_own_folder(study);
-  make_output_folder(study.folder, true);
-  make_output_folder(study.folder / "runs", true);
+  make_folder(study.folder);
+  make_folder(study.folder / "runs");
 }
 
 void write_study(const StudyFolder& study) {
@@ -234,10 +227,8 @@ void write_study(const StudyFolder& study) {
 }
 
 StudyFolder open_study(const std::filesystem::path& folder) {
-  const std::filesystem::path file = folder / study_file;
-  if (!std::filesystem::exists(file))
-    throw InputOutputError(fmt::format("{}: is no folder of a study: it has no {}", folder.string(), study_file));
-  return planned(read_study(file), folder);
+  require(run::look_at(folder), run::Use::see_study);
+  return planned(read_study(folder / study_file), folder);
 }
 
 std::vector<std::string> run_command(const StudyFolder& study, const Run& run, int threads) {

@@ -99,15 +99,13 @@ TEST_F(File, RefusesToReadWhatIsTooLarge) {
   EXPECT_TRUE(contains(message, "has 5 bytes, more than the 4 allowed")) << message;
 }
 
-TEST_F(File, MakesOutputFolders) {
-  make_output_folder(folder / "a" / "b", false);
+TEST_F(File, MakesFolders) {
+  make_folder(folder / "a" / "b");
   EXPECT_TRUE(fs::is_directory(folder / "a" / "b"));
-  make_output_folder(folder / "a" / "b", false); // empty: nothing is lost
   write_file(folder / "a" / "b" / "f", "x");
-  EXPECT_TRUE(contains(reason([&] { make_output_folder(folder / "a" / "b", false); }), "not empty"));
-  make_output_folder(folder / "a" / "b", true);
-  EXPECT_EQ(read_file(folder / "a" / "b" / "f", 1), "x") << "force deletes nothing";
-  EXPECT_TRUE(contains(reason([&] { make_output_folder(folder / "a" / "b" / "f", true); }), "not a folder"));
+  make_folder(folder / "a" / "b");
+  EXPECT_EQ(read_file(folder / "a" / "b" / "f", 1), "x") << "nothing is deleted";
+  EXPECT_TRUE(contains(reason([&] { make_folder(folder / "a" / "b" / "f"); }), "not a folder"));
 }
 
 TEST_F(File, Grows) {

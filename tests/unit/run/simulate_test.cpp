@@ -3,6 +3,7 @@
 #include "base/failure.hpp"
 #include "base/file.hpp"
 #include "run/branch.hpp"
+#include "run/folder_state.hpp"
 #include "run/resume.hpp"
 #include "simulation/start.hpp"
 
@@ -165,7 +166,7 @@ TEST_F(Run, IsLeftAsItIsWhenDone) {
   Notes notes;
   const RunOptions options = in("a");
   start(options, notes);
-  EXPECT_TRUE(holds_run(options.folder, small()));
+  EXPECT_TRUE(look_at(options.folder, small(), notes).has(Holds::this_run));
   const RunOutcome again = resume(options, small(), notes);
   EXPECT_FALSE(again.computed);
   EXPECT_EQ(again.end, RunEnd::completed);
