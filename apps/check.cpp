@@ -1,10 +1,8 @@
 #include "apps/terminal/terminal.hpp"
 #include "apps/verbs.hpp"
 #include "base/failure.hpp"
-#include "base/file.hpp"
 #include "claims/shipped_studies.hpp"
 #include "parameters/closures.hpp"
-#include "parameters/judge.hpp"
 #include "parameters/laws/law.hpp"
 #include "parameters/read.hpp"
 #include "run/estimate.hpp"
@@ -26,13 +24,10 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::size_t largest_list = std::size_t{1} << 24;
-
 struct CheckArguments {
   std::vector<std::string> files;
   std::vector<std::string> overrides;
   bool json = false;
-  bool values = false;
 };
 
 /// The kind of a file, and its faults.
@@ -41,6 +36,7 @@ struct Finding {
   bool study = false;
   std::string size;               ///< of a good study: "4 points x 2 replicates = 8 runs"
   std::string closures;           ///< the set that a good file belongs to
+  bool noted = false;             ///< whether a note says it
   std::vector<std::string> notes; ///< on closures and model; on the measured tracks of a study; what the steps of a
                                   ///< scenario cost, and which of its outputs are uneven
   std::vector<Fault> faults;      ///< none if it is good
@@ -51,7 +47,9 @@ struct Finding {
 void look_at_model(const Parameters& p, Finding& found) {
   const Closures closures = closures_of(p);
   found.closures = closures_text(closures);
-  for (const std::string& note : {closures_note(closures), run::note_of_scenario(p), run::note_of_drag(p)})
+  const std::string of_set = closures_note(closures);
+  found.noted = !of_set.empty();
+  for (const std::string& note : {of_set, run::note_of_scenario(p), run::note_of_drag(p)})
     if (!note.empty()) found.notes.push_back(note);
   for (std::string& note : law_notes(p)) found.notes.push_back(std::move(note));
 }
@@ -103,14 +101,9 @@ void print_finding(const Finding& found) {
   if (!found.faults.empty()) return;
   print(fmt::format("{}: {}{}\n", found.file, coloured("good", Colour::good, Stream::out),
                     found.study ? " study: " + found.size : ""));
-  if (found.closures != closures_text(closures_of({})))
+  if (!found.noted && found.closures != closures_text(closures_of({})))
     print(fmt::format("{}: closures: {}\n", found.file, found.closures));
   for (const std::string& note : found.notes) print(fmt::format("{}: {}\n", found.file, note));
-}
-
-int judge_values(const std::vector<std::string>& files) {
-  for (const std::string& file : files) print(judged(read_file(file, largest_list)) + "\n");
-  return done;
 }
 
 int check_files(const CheckArguments& options) {
@@ -139,21 +132,12 @@ void add_check(CLI::App& app, Action& chosen) {
       "first error is printed.\n"
       "A good file is followed by notes, and by the set of closures that it belongs to where that is not the third.\n"
       "--json prints {good, files: [{file, kind, good, closures, notes, faults: [{line, column, key, message}]}]};\n"
-      "line and column are 0 where there is none. Exit code 3 if any file has a fault, 5 if one cannot be read.\n"
-      "--values reads JSON lists such as [{\"path\": \"ecm.radius\", \"value\": \"60 um\"}], and prints for each a\n"
-      "list of {fault, number}: what is wrong with the value, and the value in the documented unit. Rules that join\n"
-      "parameters are not tried. Exit code 0, whatever is found; 3 if a file is no such list.");
+      "line and column are 0 where there is none. Exit code 3 if any file has a fault, 5 if one cannot be read.");
   const auto options = std::make_shared<CheckArguments>();
   verb->add_option("FILE", options->files, "Scenario and study files")->required();
-  CLI::Option* set = verb->add_option("--set", options->overrides, "key=value, over the files; may be repeated");
-  set->allow_extra_args(false);
-  CLI::Option* json = verb->add_flag("--json", options->json, "Print the findings as JSON");
-  verb->add_flag("--values", options->values, "The files are JSON lists of single values")
-      ->excludes(json)
-      ->excludes(set);
-  verb->callback([options, &chosen] {
-    chosen = [options] { return options->values ? judge_values(options->files) : check_files(*options); };
-  });
+  verb->add_option("--set", options->overrides, "key=value, over the files; may be repeated")->allow_extra_args(false);
+  verb->add_flag("--json", options->json, "Print the findings as JSON");
+  verb->callback([options, &chosen] { chosen = [options] { return check_files(*options); }; });
 }
 
 } // namespace matrigrate::apps

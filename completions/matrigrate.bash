@@ -107,7 +107,7 @@ _matrigrate() {
   matrigrate_new)
     if [[ $cur == -* ]]; then COMPREPLY=($(compgen -W "--help --preset --schema" -- "$cur")); else _matrigrate_files -f; fi ;;
   matrigrate_check)
-    if [[ $cur == -* ]]; then COMPREPLY=($(compgen -W "--help --set --json --values" -- "$cur")); else _matrigrate_files -f; fi ;;
+    if [[ $cur == -* ]]; then COMPREPLY=($(compgen -W "--help --set --json" -- "$cur")); else _matrigrate_files -f; fi ;;
   matrigrate_explain)
     if [[ $cur == -* ]]; then COMPREPLY=($(compgen -W "--help --set --json --pictures" -- "$cur")); else _matrigrate_files -f; fi ;;
   matrigrate_run)

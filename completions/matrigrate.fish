@@ -46,7 +46,6 @@ complete -c matrigrate -n '__matrigrate_at check' -F
 complete -c matrigrate -n '__matrigrate_at check' -s h -l help -d 'Print this help message and exit'
 complete -c matrigrate -n '__matrigrate_at check' -l set -x -d 'key=value, over the files; may be repeated'
 complete -c matrigrate -n '__matrigrate_at check' -l json -d 'Print the findings as JSON'
-complete -c matrigrate -n '__matrigrate_at check' -l values -d 'The files are JSON lists of single values'
 
 complete -c matrigrate -n '__matrigrate_at explain' -F
 complete -c matrigrate -n '__matrigrate_at explain' -s h -l help -d 'Print this help message and exit'

@@ -55,6 +55,18 @@ Array view(const std::vector<T>& values, const py::object& owner, const std::vec
   return array;
 }
 
+/// @param words  for its type, if that is none of a TOML file
+Given given_of(const py::object& value, std::string_view words) {
+  if (py::isinstance<py::bool_>(value)) return {value.cast<bool>(), "a flag"};
+  if (py::isinstance<py::float_>(value)) return {value.cast<double>(), "a number"};
+  if (py::isinstance<py::str>(value)) return {value.cast<std::string>(), "a string"};
+  int beyond = 0; // 64 bits
+  if (py::isinstance<py::int_>(value))
+    if (const long long whole = PyLong_AsLongLongAndOverflow(value.ptr(), &beyond); beyond == 0)
+      return {std::int64_t{whole}, "a number"};
+  return {{}, words};
+}
+
 template <class T>
 Array vectors(const std::vector<T>& values, const py::object& owner) {
   return view(values, owner, {2});
@@ -365,7 +377,11 @@ PYBIND11_MODULE(_core, module) {
                  "matrigrate.tracks.";
   py::register_exception_translator(&translate);
   py::module_::import("atexit").attr("register")(py::cpp_function(&end_marches));
-  module.def("judged", &judged);
+  module.def("judged", [](const std::string& path, const py::object& value, const std::string& words) {
+    const Judged found = judged(path, given_of(value, words));
+    return std::pair(found.fault, found.number);
+  });
+  module.def("unknown_name", &unknown_name);
   module.def("closures", &closures_in);
   add_tracks(module);
   const auto of = [](const py::object& self) -> const State& { return self.cast<const SteppedSimulation&>().state(); };

@@ -25,9 +25,9 @@ def core() -> ModuleType:
     places = [named] if named else [str(folder / f"_core{end}") for folder in (here, built) for end in importlib.machinery.EXTENSION_SUFFIXES]
     found = next((place for place in places if Path(place).is_file()), None)
     if found is None:
-        raise CoreNotFound("this package has no compiled module, so it can neither step a simulation (matrigrate.run runs one) nor "
-                           "compute read-outs of tracks (matrigrate tracks does); on Debian 12, in a clone of Matrigrate, ./demo builds the module "
-                           "for the package in the clone, and python/install.sh installs both into a virtual environment")
+        raise CoreNotFound("this package has no compiled module, so it reads results, and neither checks scenarios, steps simulations nor reads "
+                           "tracks; in a clone of Matrigrate on Debian 12 ./demo builds the module for the package in the clone, and "
+                           "python/install.sh installs both into a virtual environment")
     spec = importlib.util.spec_from_file_location(name, found,
                                                   loader=importlib.machinery.ExtensionFileLoader(name, found))
     assert spec is not None and spec.loader is not None

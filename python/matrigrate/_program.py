@@ -63,8 +63,7 @@ def program() -> str:
         named = os.environ.get("MATRIGRATE")
         where = f"the environment variable MATRIGRATE names {named}, which is no program" if named else \
             "the program matrigrate is not on PATH, and the environment variable MATRIGRATE does not name it"
-        raise ProgramNotFound(f"{where}. Reading results needs no program; running, and judging a "
-                              "scenario without the compiled module, do: build it (./demo in a clone "
+        raise ProgramNotFound(f"{where}. Reading results needs no program; running does: build it (./demo in a clone "
                               "of Matrigrate), then set MATRIGRATE=/path/to/build/release/bin/matrigrate")
     return found
 

@@ -4,14 +4,12 @@ from __future__ import annotations
 import datetime
 import functools
 import json
-import math
 import re
-from collections.abc import Iterable
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from ._judge import Answer, ask
+from ._load_core import core
 
 Value = str | int | float | bool  #: of a parameter, as it is typed
 
@@ -47,11 +45,11 @@ class Parameter:
         """A value that is allowed, as a number in the documented unit; choices and flags as they are."""
         if self.kind not in ("quantity", "angle", "ratio"):
             return value
-        return judge([(self.path, value)])[0].number if isinstance(value, str) else float(value)
+        return judge(self.path, value)[1] if isinstance(value, str) else float(value)
 
     def fault(self, value: Any) -> str:
         """The fault of a value, in the words of the program; empty for a good value."""
-        return judge([(self.path, value)])[0].fault
+        return judge(self.path, value)[0]
 
 
 def type_words(value: Any) -> str:
@@ -145,29 +143,16 @@ def table(name: str) -> Any:
     return json.loads(next(place for place in places if place.exists()).read_text(encoding="utf-8"))
 
 
-def judge(values: Iterable[tuple[str, Any]]) -> list[Answer]:
-    """The program's answers on values of parameters; all unknown answers are asked for at once."""
-    return ask([*(_question(path, value) for path, value in values), *_defaults()])
+def judge(path: str, value: Any) -> tuple[str, float]:
+    """What is wrong with the value of a parameter, in the words of the program, and nothing of a good one; and the value in the documented unit.
 
-
-@functools.cache
-def _defaults() -> list[str]:
-    return [_question(p.path, p.default) for p in parameters().values()]
-
-
-def _question(path: str, value: Any) -> str:
-    question: dict[str, Any] = {"path": path}
-    if isinstance(value, str):
-        question["value"] = value.encode("utf-8", "replace").decode()
-    elif isinstance(value, float) and not math.isfinite(value):
-        question["real"] = str(value)
-    elif isinstance(value, (bool, float)) or (isinstance(value, int) and -2**63 <= value < 2**63):
-        question["value"] = value
-    else:
-        question["type"] = "a number beyond 64 bits" if isinstance(value, int) else type_words(value)
-    return json.dumps(question)
+    :raises CoreNotFound: without the compiled module
+    """
+    words = "a number beyond 64 bits" if isinstance(value, int) else type_words(value)
+    found: tuple[str, float] = core().judged(path, value.encode("utf-8", "replace").decode() if isinstance(value, str) else value, words)
+    return found
 
 
 def unknown_words(path: str, is_section: bool = False) -> str:
     """The message on a name that does not exist."""
-    return ask([json.dumps({"path": path, "section": is_section})])[0].fault
+    return str(core().unknown_name(path, is_section))

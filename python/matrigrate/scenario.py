@@ -84,8 +84,6 @@ class Scenario(Sections, Mapping[str, Value]):
         told = dict(_arguments.mapping("values", values))
         written = told.pop("version", None) is not None  # by a program
         flat = list(_flat(told))
-        _schema.judge((path, _typed(path, value)) for path, value, _ in flat
-                      if path in _schema.parameters())
         gone = _schema.gone()
         for path, value, nested in flat:
             if path in gone:  # earlier versions had it; one value is left
