@@ -24,9 +24,11 @@ namespace {
 
 // Measured with one thread on a server (AMD EPYC), release build: six hours of the baseline at 2.9 ms a step of 17,665
 // particles, 5,000 adaptive steps of up to 5 s at 3.9 ms; a decade of the tolerance costs 0.3 ms. A run takes 70 MB
-// before its end. Conjugate gradients took 3.4 R/h iterations to 1e-6.
-constexpr double seconds_a_pair = 3.8e-9;
-constexpr double seconds_a_pair_and_decade = 0.7e-9;
+// before its end. Conjugate gradients took 3.4 R/h iterations to 1e-6. The cell takes 0.18 of a step of the baseline:
+// on a busier machine 0.66 of 3.7 ms, in proportion to its 118, 235 or 470 particles, in discs of 40 to 150 um.
+constexpr double seconds_a_pair = 3.2e-9;
+constexpr double seconds_a_pair_and_decade = 0.6e-9;
+constexpr double seconds_a_cell_particle = 2.2e-6;
 constexpr double of_longer_steps = 1.6; // a step of the adaptive integrator, halved ones included
 constexpr double seconds_a_pair_and_iteration = 1.0e-9;
 constexpr double iterations_a_radius = 3.4 / 6.0; // of conjugate gradients, for each decade of the tolerance
@@ -75,7 +77,9 @@ double wall_time(const Parameters& p, double particles) {
                            : seconds_a_pair_and_iteration * iterations_a_radius * p.ecm.radius / p.ecm.smoothing_length;
   const double longer = p.run.integrator == Integrator::adaptive ? of_longer_steps : 1.0;
   return seconds_to_begin + seconds_a_particle_to_begin * particles
-         + longer * steps(p) * particles * listed_neighbours(p.ecm) * (seconds_a_pair + decades * solve);
+         + longer * steps(p)
+               * (particles * listed_neighbours(p.ecm) * (seconds_a_pair + decades * solve)
+                  + static_cast<double>(cell_starts(p).size()) * p.cell.particles * seconds_a_cell_particle);
 }
 
 /// Rate at which a particle of the cell at the start initiates protrusions, in the mean along its cortex [1/s].
@@ -205,12 +209,13 @@ std::string note_of_drag(const Parameters& p) {
 }
 
 std::string wall_time_basis() {
-  return "The wall time rests on the measured cost of the baseline on one core of a server: 3.8 ns a step for each\n"
-         "listed pair of particles, and 0.7 ns for each decade of solver.tolerance; 1.6 times that for each step of "
-         "the\n"
-         "adaptive integrator; and 0.05 s a run with 0.011 ms a particle to begin and to write files. A second thread\n"
-         "makes runs 1.1 to 1.4 times faster in discs of 150 um, 1.5 times in discs of 600 um. A machine with other\n"
-         "work to do takes longer.";
+  return "The wall time rests on the measured cost of the baseline on one core of a server: 3.2 ns a step for each\n"
+         "listed pair of particles, 0.6 ns for each decade of solver.tolerance, and 2.2 us for each particle of a "
+         "cell;\n"
+         "1.6 times that for each step of the adaptive integrator; and 0.05 s a run with 0.011 ms a particle to begin\n"
+         "and to write files. A second thread makes runs 1.1 to 1.4 times faster in discs of 150 um, 1.5 times in "
+         "discs\n"
+         "of 600 um. A machine with other work to do takes longer.";
 }
 
 std::vector<std::string> warnings(const Parameters& p, const Derived& d) {
