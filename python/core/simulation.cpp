@@ -67,6 +67,12 @@ Given given_of(const py::object& value, std::string_view words) {
   return {{}, words};
 }
 
+/// What is wrong with the value of a parameter, and its number.
+std::pair<std::string, double> judged_value(const std::string& path, const py::object& value, std::string_view words) {
+  const Judged found = judged(path, given_of(value, words));
+  return {found.fault, found.number};
+}
+
 template <class T>
 Array vectors(const std::vector<T>& values, const py::object& owner) {
   return view(values, owner, {2});
@@ -373,14 +379,10 @@ std::string closures_here(const SteppedSimulation& s) { return closures_text(clo
 
 PYBIND11_MODULE(_core, module) {
   using namespace matrigrate;
-  module.doc() = "A simulation that is stepped from Python, and read-outs of tracks; used by matrigrate.Simulation and "
-                 "matrigrate.tracks.";
+  module.doc() = "Values that are judged, a simulation that is stepped from Python, and tracks.";
   py::register_exception_translator(&translate);
   py::module_::import("atexit").attr("register")(py::cpp_function(&end_marches));
-  module.def("judged", [](const std::string& path, const py::object& value, const std::string& words) {
-    const Judged found = judged(path, given_of(value, words));
-    return std::pair(found.fault, found.number);
-  });
+  module.def("judged", &judged_value);
   module.def("unknown_name", &unknown_name);
   module.def("closures", &closures_in);
   add_tracks(module);
