@@ -99,21 +99,6 @@ class Emulator:
         return np.asarray(self._centre + self._scale * self._process.drawn(cube, draws, random))
 
 
-class Constant:
-    """In place of an emulator, a read-out that has one value at all points."""
-
-    tells, explained, explained_error, coverage = False, float("nan"), float("nan"), float("nan")
-
-    def __init__(self, value: float, parameters: int) -> None:
-        self.values, self.parameters = np.array([value]), parameters
-
-    def __call__(self, cube: Array) -> tuple[Array, Array]:
-        return np.full(len(cube), self.values[0]), np.zeros(len(cube))
-
-    def scatter(self, cube: Array) -> Array:
-        return np.zeros(len(cube))
-
-
 def _left_out(process: Process, cube: Array, y: Array, runs: Array, seed: int, linear: bool) -> tuple[Array, Array, Array]:
     """Each value as the points outside of its fold predict it, with the error of a run, and their mean."""
     order = np.random.default_rng(seed).permutation(len(y))

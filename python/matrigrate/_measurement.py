@@ -3,7 +3,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -11,6 +11,7 @@ import numpy as np
 from . import _arguments, _motility
 from . import tracks as _tracks
 from ._files import _pandas
+from ._conditions import Runs, require_study, runs_of
 from ._load_core import core
 from .errors import ConfigurationError
 from .studies import Study
@@ -23,17 +24,24 @@ _means = ("speed_um_per_h", "v_migr_abs_um_per_h", "straightness", "directionali
 
 
 _least_widths, _most_widths = 1e-9, 1e6  # of the range of simulated values, for measured values and their errors
+_largest = 1e100  # its square is a number
 
 
 @dataclass(frozen=True)
 class Measurement:
     """Measured read-outs with their errors."""
 
-    table: pandas.DataFrame  #: a row per read-out: ``value``, ``standard_error``
+    table: pandas.DataFrame
+    """A row per read-out: ``value``, ``standard_error``, ``low``, ``high``; these two differ if a range was measured, and may be infinite."""
     covariance: np.ndarray[Any, Any]  #: of the measured values
     cells: int  #: tracks that were measured; 0 if only published means are known
     positions: int  #: of a track, median; 0 if only published means are known
     notes: list[str]
+
+    def only(self, names: Sequence[str]) -> Measurement:
+        """Of some of the read-outs."""
+        at = [list(self.table.index).index(name) for name in names]
+        return replace(self, table=self.table.iloc[at], covariance=self.covariance[np.ix_(at, at)])
 
 
 @dataclass(frozen=True)
@@ -47,6 +55,17 @@ class Points:
     notes: list[str]
     tracks: list[_tracks.Tracks] = field(default_factory=list)  #: of each point; none if no read-out is one of tracks
     design: pandas.DataFrame | None = None  #: parameters of all points of the study, whatever became of their runs
+    counts: pandas.DataFrame | None = None  #: as ``values``: of how many runs each is the mean; if left out, of all
+
+    def runs_of(self, name: str) -> np.ndarray[Any, Any]:
+        """How many runs have a read-out, at each point."""
+        return self.runs if self.counts is None else self.counts[name].to_numpy(float)
+
+    def only(self, names: Sequence[str]) -> Points:
+        """With some of the read-outs."""
+        counts = None if self.counts is None else self.counts[list(names)]
+        own = [note for note in self.notes if note.partition(": ")[0] in names or note.partition(": ")[0] not in self.values]
+        return replace(self, values=self.values[list(names)], counts=counts, notes=own)
 
     @property
     def whole(self) -> np.ndarray[Any, Any]:
@@ -66,11 +85,12 @@ class Points:
         return f"{_motility.needs.get(name, 'needs tracks of two positions')}{there if 'intervals' in _motility.needs.get(name, '') else ''}"
 
 
-Means = Mapping[str, tuple[float, float]]
+Means = Mapping[str, tuple[float | tuple[float, float], float]]
+"""By the name of a read-out its mean, or the two ends of a range, and the standard error."""
 
 
 def measurement(measured: _tracks.Tracks | Means, names: Sequence[str], besides: Means | None = None) -> Measurement:
-    """:param measured: tracks, or by the name of a read-out its mean and standard error
+    """:param measured: tracks, or by the name of a read-out its mean, or range, and standard error
     :param names: of the read-outs
     :param besides: means and standard errors of read-outs that tracks do not have
     :raises ConfigurationError: with all that is wrong
@@ -83,15 +103,17 @@ def measurement(measured: _tracks.Tracks | Means, names: Sequence[str], besides:
     if isinstance(names, str):
         raise _arguments.wrong("readouts", names, "a list of read-outs")
     means = dict(besides or {}) if is_tracks else {**measured, **(besides or {})}
-    if odd := [f"{name}: {value!r} is no mean with its standard error; write {{\"{name}\": (14.4, 4.8)}}" for name, value in means.items()
-               if not _is_pair(value)]:
+    if odd := [f"{name}: {value!r} is no mean with its standard error; write {{\"{name}\": (14.4, 4.8)}}, or ((12, 16), 4.8) of a range"
+               for name, value in means.items() if not _is_measured(value)]:
         raise ConfigurationError("\n".join(odd))
-    table = _pandas().DataFrame.from_dict(means, orient="index", columns=["value", "standard_error"], dtype=float)
+    rows = {name: _row(value, error) for name, (value, error) in means.items()}
+    table = _pandas().DataFrame.from_dict(rows, orient="index", columns=["value", "standard_error", "low", "high"], dtype=float)
     own = [name for name in names if name in _motility.meanings() and name not in means] if is_tracks else []
     if own:
         n = len(measured)
         share = n / max(1, n - 1)  # the bootstrap's variance is too small by it
         found = measured.readouts().loc[own, ["value", "standard_error"]] * [1.0, share**0.5]
+        found = found.assign(low=found["value"], high=found["value"])
         table = _pandas().concat([found, table])
     lacking = [name for name in names if name not in table.index]
     known = f"; tracks have {', '.join(_motility.meanings())}" if is_tracks else ""
@@ -123,16 +145,28 @@ def _require_measured(measured: Any) -> None:
 
 
 def _is_pair(value: Any) -> bool:
-    if isinstance(value, (str, bytes)) or not isinstance(value, (Sequence, np.ndarray)) or len(value) != 2:
-        return False
-    return all(isinstance(one, (int, float, np.number)) and not isinstance(one, bool) for one in value)
+    return isinstance(value, (Sequence, np.ndarray)) and not isinstance(value, (str, bytes)) and len(value) == 2
+
+
+def _is_measured(value: Any) -> bool:
+    return _is_pair(value) and all(isinstance(one, (int, float, np.number)) and not isinstance(one, (bool, np.bool_))
+                                   for one in (*(value[0] if _is_pair(value[0]) else value[:1]), value[1]))
+
+
+def _row(value: Any, error: float) -> tuple[float, float, float, float]:
+    """Of a range, its middle stands for the value, or its finite end."""
+    low, high = (float(end) for end in value) if _is_pair(value) else (float(value), float(value))
+    middle = low + 0.5 * (high - low) if np.isfinite([low, high]).all() else high if np.isinf(low) else low
+    return (middle if low <= high else float("nan")), float(error), low, high
 
 
 def _faults(table: pandas.DataFrame, measured: Any) -> list[str]:
     faults = []
     for name, row in table.iterrows():
         why = f": it {_motility.needs[name]}" if isinstance(measured, _tracks.Tracks) and name in _motility.needs else ""
-        if not np.isfinite(row["value"]):
+        if not row["low"] <= row["high"] and np.isfinite(row["low"]):
+            faults.append(f"{name}: ({row['low']:g}, {row['high']:g}) is no range from a lower to a higher end")
+        elif not np.abs(row["value"]) < np.inf:
             faults.append(f"{name}: has no value{why}")
         elif not (row["standard_error"] > 0 and np.isfinite(row["standard_error"])):
             faults.append(f"{name}: has no standard error above 0")
@@ -160,13 +194,6 @@ def size_faults(table: pandas.DataFrame, values: pandas.DataFrame) -> list[str]:
     return faults
 
 
-def require_study(study: Any) -> None:
-    """:raises TypeError: if it is none"""
-    if isinstance(study, (str, os.PathLike)):
-        raise TypeError(f"study is the text {str(study)!r}; a study is expected, as matrigrate.load_study({str(study)!r}) gives it")
-    _arguments.one_of("study", study, Study)
-
-
 def lost(results: pandas.DataFrame) -> list[str]:
     """What runs that are not done mean for those that are."""
     undone = results["status"] != "done"
@@ -178,51 +205,62 @@ def lost(results: pandas.DataFrame) -> list[str]:
     return notes
 
 
-def simulated(study: Study, names: Sequence[str], interval: float | None, error: float = 0.0) -> Points:
+def simulated(study: Study | Runs, names: Sequence[str], interval: float | None, error: float = 0.0) -> Points:
     """The read-outs of all points with runs that are done: those of tracks from all tracks of a point, others as the mean
     of its runs.
 
     :param interval: [s] between positions of the measured tracks; none: a read-out that the runs have themselves is theirs
     :param error: localisation error of a coordinate [um], added to the simulated tracks
     """
-    require_study(study)
+    if not isinstance(study, Runs):
+        require_study(study)
     if isinstance(names, str):
         raise _arguments.wrong("readouts", names, "a list of read-outs")
-    results = study.results
+    runs = study if isinstance(study, Runs) else runs_of(study, [], [])[""]
     if interval is not None:
         core()  # as above
-    own = list(results.columns)
-    known = own[own.index("trajectory_hash") + 1:]
-    of_tracks = [name for name in names if name in _motility.meanings() and (interval is not None or name not in known)]
+    known, results = runs.readouts, runs.table
+    of_tracks = [name for name in names if name in _motility.meanings() and (interval is not None and runs.studies or name not in known)]
     of_runs = [name for name in names if name not in of_tracks]
-    texts = [name for name in study.parameters if results[name].dtype == object]
-    faults = [f"{name}: only numbers can be fitted" for name in texts]
-    if unknown := [name for name in of_runs if name not in known]:
-        faults.append(f"there is no read-out {', '.join(unknown)}; there are {', '.join([*_motility.meanings(), *known])}")
-    if of_tracks and interval is None:
-        faults.append("interval: that of the measured tracks is needed [s]: speed, ratios and angles depend on it")
-    if not names:
-        faults.append("one read-out is needed")
-    if faults:
-        raise ConfigurationError("\n".join(faults))
-    rows, points, counts, all_seen = [], [], [], list[_tracks.Tracks]()
-    for _, runs in results[results["status"] == "done"].groupby("label", sort=False):
-        row = {name: runs[name].mean() for name in of_runs}
+    _require_numbers(runs, of_tracks, of_runs, interval)
+    rows, points, counts, done, all_seen = [], [], [], [], list[_tracks.Tracks]()
+    for _, of_point in results[results["status"] == "done"].groupby("point", sort=False):
+        own = of_point[of_runs].where(np.isfinite(of_point[of_runs].astype(float)))
+        row = dict(own.mean())
         if of_tracks:
-            cells = {f"{run}/{track}": positions for run in runs["run"]
-                     for track, positions in _tracks.of(study.runs[run], interval).items()}
+            cells = {f"{run}/{track}": positions for run in of_point["run"]
+                     for track, positions in _tracks.of(runs.studies[run].runs[run], interval).items()}
             seen = _tracks.Tracks(cells, interval or 1.0, [])
             seen = seen.with_error(error, seed=len(rows) + 1) if error > 0 else seen
             all_seen.append(seen)
             row |= dict(seen.readouts(resamples=0)["value"][of_tracks])
         rows.append(row)
-        points.append(runs[study.parameters].iloc[0])
-        counts.append(len(runs))
+        points.append(of_point[runs.parameters].iloc[0])
+        counts.append(dict.fromkeys(of_tracks, len(of_point)) | dict(own.count()))
+        done.append(len(of_point))
     lengths = [len(track) for seen in all_seen for track in seen.values()]
     frame = _pandas().DataFrame
-    return Points(frame(points, columns=study.parameters).reset_index(drop=True), frame(rows, columns=list(names)).reset_index(drop=True),
-                  np.array(counts, dtype=float), int(np.median(lengths)) if lengths else 0, lost(results), all_seen,
-                  results.drop_duplicates("label")[study.parameters].reset_index(drop=True))
+    of_all = frame(counts, columns=list(names))
+    notes = [f"{name}: {int(few)} of {sum(done)} runs that are done do not have it; their points have the mean of the others, or none"
+             for name, few in (sum(done) - of_all.sum()).items() if few > 0]
+    return Points(frame(points, columns=runs.parameters).reset_index(drop=True), frame(rows, columns=list(names)).reset_index(drop=True),
+                  np.array(done, dtype=float), int(np.median(lengths)) if lengths else 0, [*lost(results), *notes], all_seen, runs.design, of_all)
+
+
+def _require_numbers(runs: Runs, of_tracks: Sequence[str], of_runs: Sequence[str], interval: float | None) -> None:
+    known = runs.readouts
+    faults = [f"{name}: only numbers can be fitted" for name in runs.parameters if runs.table[name].dtype == object]
+    if unknown := [name for name in of_runs if name not in known]:
+        faults.append(f"there is no read-out {', '.join(unknown)}; there are {', '.join([*_motility.meanings(), *known])}")
+    faults += [f"{name}: is no number in the runs" for name in of_runs if name in known and runs.table[name].dtype == object]
+    if of_tracks and not runs.studies:
+        faults.append(f"{', '.join(of_tracks)}: a data frame has no tracks")
+    elif of_tracks and interval is None:
+        faults.append("interval: that of the measured tracks is needed [s]: speed, ratios and angles depend on it")
+    if not (of_tracks or of_runs):
+        faults.append("one read-out is needed")
+    if faults:
+        raise ConfigurationError("\n".join(faults))
 
 
 def differences(points: Points, wanted: Measurement) -> list[str]:

@@ -1,17 +1,18 @@
-"""What pages of fits and matches are made of: one file with tables and figures in the colours of the page, light or dark. And the page of a fit."""
+"""The page of a fit: one file with tables and figures in the colours of the page, light or dark."""
 from __future__ import annotations
 
 import html
 import io
 import re
 import textwrap
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable
 from datetime import datetime, timezone
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from . import _words
+from ._files import _pandas
 from ._version import __version__
 from ._words import blue, grey, red
 
@@ -19,7 +20,8 @@ if TYPE_CHECKING:
     import pandas
 
     from ._emulator import Array, Prior
-    from ._fit import Fit
+    from ._posterior import Fit
+    from .tracks import Tracks
 
 _ink = "#1a2b3d"  # of figures; the page replaces it by the colour of its text
 _style = """:root{--text:#1f2328;--soft:#57606a;--line:#d0d7de;--ground:#fff;--blue:#0072b2;--red:#d55e00;color-scheme:light dark}
@@ -59,6 +61,7 @@ def note(text: str) -> str:
 
 
 def _is_named(name: str) -> bool:
+    name = name.partition(" at ")[0]
     return _words.words(name) != name.replace("_", " ")
 
 
@@ -82,7 +85,8 @@ def table(made: pandas.DataFrame, heads: dict[str, str] | None = None) -> str:
 
 def named(name: str) -> str:
     """A parameter or a read-out for HTML: words, symbol and unit."""
-    return _words.lettered(html.escape(_words.title(name)))
+    readout, between, condition = name.partition(" at ")
+    return _words.lettered(html.escape(_words.title(readout))) + html.escape(between + condition)
 
 
 def figure(draw: Callable[[], Any], caption: str) -> str:
@@ -113,7 +117,8 @@ def new(width: float, height: float) -> Any:
 
 def wrapped(name: str, letters: int) -> str:
     """Words, symbol and unit of a parameter or read-out, in lines, for a figure."""
-    return _words.typeset(textwrap.fill(_words.title(name), letters, break_long_words=False))
+    readout, between, condition = name.partition(" at ")
+    return _words.typeset(textwrap.fill(_words.title(readout), letters, break_long_words=False)) + (f"\n{between.strip()} {_words.plain(condition)}" if condition else "")
 
 
 def density(sample: Array, cells: int = 80) -> tuple[Array, Array]:
@@ -152,12 +157,9 @@ def ticks(prior: Prior, column: int) -> tuple[Array, list[str]]:
     return prior.to_cube(every)[:, column], [f"{value:.6g}".replace("-", "−") for value in values]
 
 
-def corner(prior: Prior, samples: Sequence[tuple[Array, str]], best: Array | None = None) -> Any:
-    """Each parameter and each pair of them over the whole prior: densities of samples of the unit cube, with lines around 50 and 90 % of each, the
-    prior dashed, the best point in red.
-
-    :param samples: with their colours, the last one on top
-    """
+def corner(prior: Prior, sample: Array) -> Any:
+    """Each parameter and each pair of them over the whole prior: densities of a sample of the unit cube, with lines around 50 and 90 %, the prior
+    dashed."""
     names = prior.names
     n = len(names)
     made = new(min(2.2 * n + 0.9, 12.0), min(2.0 * n + 0.8, 11.4))
@@ -169,27 +171,25 @@ def corner(prior: Prior, samples: Sequence[tuple[Array, str]], best: Array | Non
             if column > row:
                 ax.set_axis_off()
                 continue
-            for sample, colour in samples:
-                if len(sample) > 3:
-                    _shown_density(ax, sample[:, [column, row][: 1 if row == column else 2]], colour)
-            _finish(ax, prior, (row, column), letters, None if best is None else best)
+            _shown_density(ax, sample[:, [column, row][: 1 if row == column else 2]])
+            _finish(ax, prior, (row, column), letters)
     return made
 
 
-def _shown_density(ax: Any, sample: Array, colour: str) -> None:
+def _shown_density(ax: Any, sample: Array) -> None:
     at, values = density(sample, 80 if sample.shape[1] == 1 else 60)
     if sample.shape[1] == 1:
-        ax.fill_between(at, values, color=colour, alpha=0.35, linewidth=0)
-        ax.plot(at, values, color=colour)
+        ax.fill_between(at, values, color=blue, alpha=0.35, linewidth=0)
+        ax.plot(at, values, color=blue)
         return
     levels = sorted({level_of(share, values) for share in (0.9, 0.5)})
-    ax.contourf(at, at, values.T, [*levels, np.inf], colors=[colour], alpha=0.3)
+    ax.contourf(at, at, values.T, [*levels, np.inf], colors=[blue], alpha=0.3)
     if len(levels) > 1:
-        ax.contourf(at, at, values.T, [levels[-1], np.inf], colors=[colour], alpha=0.4)
-    ax.contour(at, at, values.T, levels, colors=[colour], linewidths=0.9)
+        ax.contourf(at, at, values.T, [levels[-1], np.inf], colors=[blue], alpha=0.4)
+    ax.contour(at, at, values.T, levels, colors=[blue], linewidths=0.9)
 
 
-def _finish(ax: Any, prior: Prior, place: tuple[int, int], letters: int, best: Array | None) -> None:
+def _finish(ax: Any, prior: Prior, place: tuple[int, int], letters: int) -> None:
     """Axes are those of the unit cube; what is written is the parameter."""
     row, column = place
     n = len(prior.names)
@@ -202,8 +202,6 @@ def _finish(ax: Any, prior: Prior, place: tuple[int, int], letters: int, best: A
         ax.set_ylim(0, 1)
         at, said = ticks(prior, row)
         ax.set_yticks(at, said if column == 0 else [""] * len(at))
-    if best is not None:
-        ax.axvline(best[column], color=red, linewidth=1) if row == column else ax.plot(best[column], best[row], "o", color=red, markersize=4)
     at, said = ticks(prior, column)
     ax.set_xticks(at, said if row == n - 1 else [""] * len(at))
     if row == n - 1:
@@ -212,45 +210,34 @@ def _finish(ax: Any, prior: Prior, place: tuple[int, int], letters: int, best: A
         ax.set_ylabel(wrapped(prior.names[row], letters), fontsize=8)
 
 
-def intervals(names: Sequence[str], measured: tuple[Array, Array], predicted: tuple[Array, Array], reach: float, title: str) -> Any:
-    """For each name two bars: measured (red, above) and predicted (blue, below), within -reach to reach."""
-    made = new(8.2, 0.9 + 0.42 * len(names))
-    ax = made.subplots()
-    at = np.arange(len(names))
-    for ends, shift, colour, said in ((measured, -0.12, red, "measured, with two standard errors"), (predicted, 0.14, blue, "predicted, 90 %")):
-        ax.hlines(at + shift, np.clip(ends[0], -reach, reach), np.clip(ends[1], -reach, reach), color=colour, linewidth=4, label=said)
-    ax.axvline(0, color=grey, linewidth=0.8)
-    ax.set_yticks(at, list(names))
-    ax.set_ylim(len(names) - 0.4, -0.6)
-    ax.set_xlabel(title)
-    ax.legend(loc="lower center", bbox_to_anchor=(0.5, 1.0), ncols=2, frameon=False)
-    return made
-
-
 def page_of_fit(fit: Fit) -> str:
     """report.html: it needs no other file and no network."""
     short = fit.table[["prior_5", "prior_95", "posterior_5", "posterior_50", "posterior_95", "width", "constrained", "at_bound"]]
     notes = "".join(f"<li>{note(text)}</li>" for text in fit.notes) or "<li>none</li>"
     return document("Fitted parameters", facts(fit), f"""
-<p>{fit.plausible:.1%} of the prior is plausible: there no read-out is off by more than three standard errors.</p>
+<p>{share(fit.plausible)} of the prior is plausible: there no number is off by more than three standard errors.</p>
 <h2>Parameters</h2>
 {table(short, _heads)}
 <p><small>Quantiles of prior and posterior. <i>width</i>: of the 90 % interval, over that of the prior. <i>constrained</i>: it is below
 0.8, and the prior cuts off neither end. <i>at bound</i>: the posterior ends at this bound of the prior. The posterior has the weight of
 {fit.effective_sample_size:.0f} independent draws.</small></p>
-{figure(lambda: corner(fit.prior, [(fit.prior.to_cube(fit.sample[fit.prior.names].to_numpy(float)), blue)]),
+{figure(lambda: corner(fit.prior, fit.prior.to_cube(fit.sample[fit.prior.names].to_numpy(float))),
         "Posterior of each parameter (the prior is the dashed line), and of each pair, with 50 and 90 % of it, over the whole prior")}
 <h2>What the data cannot tell</h2>
 <ul>{notes}</ul>
 {figure(lambda: _widths(fit), "Width of the 90 % interval over that of the prior: at 1 the data tell nothing, and below 0.8 (dashed) a parameter is constrained")}
 <h2>Fit against data</h2>
 {table(fit.readouts, _heads)}
-<p><small><i>implausibility</i>: standard errors between measured value and emulator, where the largest of them is least.
-<i>predicted</i>: share of the variance of points that an emulator predicts when they are left out; the rest is scatter of cells.
-<i>coverage</i>: share of points within its 90 % interval.</small></p>
+<p><small><i>low</i>, <i>high</i>: ends of a measured range. <i>implausibility</i>: standard errors between measured value and emulator, where the
+largest of them is least. <i>predicted</i>: share of the variance of points that an emulator predicts when they are left out; the rest is scatter of
+cells. <i>coverage</i>: share of points within its 90 % interval. <i>held back</i>: predicted, not fitted.</small></p>
 {figure(lambda: _against_data(fit), "Measured values with two standard errors, and 90 % of the posterior")}
-{figure(lambda: _paths(fit), "Measured tracks beside simulated ones of the points that fit best, each from its start, to one scale")
- if fit.measured is not None and fit.simulated is not None else ""}
+{"".join(figure(lambda both=both: _paths(*both), f"Measured tracks{' at ' * bool(name)}{name} beside simulated ones of the points that fit best, each from its start, to one scale")
+         for name, both in fit.tracks.items() if both[1] is not None)}
+<h2>Which number excludes what</h2>
+{table(_left(fit), _heads)}
+<p><small><i>plausible</i>: share of the prior where this number alone is off by at most three standard errors; and the ranges of parameters there.</small></p>
+{_against_each_other(fit)}
 <h2>Which parameters the read-outs depend on</h2>
 {figure(lambda: _sobol(fit), "Sobol's first (light) and total (dark) indices of the mean read-outs, with 90 % intervals")}
 {table(fit.sensitivity.set_index("readout"), _heads)}""")
@@ -258,9 +245,31 @@ def page_of_fit(fit: Fit) -> str:
 
 def facts(fit: Fit) -> list[tuple[str, str]]:
     """Of what the page was made."""
-    tracks = fit.measured
-    return [("study", fit.source.get("study", "")), ("measured tracks", fit.source.get("tracks", "")),
-            ("number of tracks", "" if tracks is None else f"{len(tracks)}, every {tracks.interval:g} s"), ("seed", fit.source.get("seed", ""))]
+    cells = [f"{len(tracks)}, every {tracks.interval:g} s{' at ' * bool(name)}{name}" for name, (tracks, _) in fit.tracks.items()]
+    return [("study", fit.source.get("study", "")), ("measured tracks", fit.source.get("tracks", "")), ("number of tracks", "; ".join(cells)),
+            ("seed", fit.source.get("seed", ""))]
+
+
+def share(value: float) -> str:
+    """A share in per cent, also a small one."""
+    return f"{value:.1%}" if value == 0 or value >= 0.001 else f"{100 * value:.1e} %"
+
+
+def _left(fit: Fit) -> pandas.DataFrame:
+    """A row per number: what it alone leaves."""
+    rows = {}
+    for name, own in fit.alone.groupby("readout", sort=False):
+        ends = [f"{_words.number(low)} to {_words.number(high)}" if np.isfinite(low) else "" for low, high in zip(own["low"], own["high"], strict=True)]
+        rows[name] = {"plausible": float(own["plausible"].iloc[0])} | {_words.title(one): text for one, text in zip(own["parameter"], ends, strict=True)}
+    return _pandas().DataFrame.from_dict(rows, orient="index")
+
+
+def _against_each_other(fit: Fit) -> str:
+    against = fit.exclusions[fit.exclusions["both"] == 0]
+    if not len(against):
+        return "<p>Each pair of numbers is met somewhere.</p>" if len(fit.exclusions) else ""
+    return f"""<p>No point of the prior meets both of these. <i>least</i>: what the worse of the two is off at least, in standard errors.</p>
+{table(against.set_index("a"), {"b": "against", "plausible_a": "plausible by the first", "plausible_b": "by the second"})}"""
 
 
 def _widths(fit: Fit) -> Any:
@@ -276,22 +285,39 @@ def _widths(fit: Fit) -> Any:
 
 
 def _against_data(fit: Fit) -> Any:
-    rows, scale = fit.readouts, fit.readouts["standard_error"]
-    low, high = (((rows[name] - rows["measured"]) / scale).to_numpy(float) for name in ("posterior_5", "posterior_95"))
-    names = [_words.typeset(f"{_words.words(str(name))}: {value:.3g} {_words.unit(str(name))}".strip())
-             for name, value in zip(rows.index, rows["measured"], strict=True)]
-    two = np.full(len(rows), 2.0)
-    return intervals(names, (-two, two), (low, high), 20.0, "distance from the measured value (standard errors)")
+    """For each number two bars: measured (red, above) and of the posterior (blue, below)."""
+    rows, reach = fit.readouts, 20.0
+    measured, scale = rows["measured"].to_numpy(float), rows["standard_error"].to_numpy(float)
+    made = new(8.2, 0.9 + 0.42 * len(rows))
+    ax, at = made.subplots(), np.arange(len(rows))
+    for names, wider, shift, colour, said in ((("low", "high"), 2.0, -0.12, red, "measured, with two standard errors"),
+                                              (("posterior_5", "posterior_95"), 0.0, 0.14, blue, "predicted, 90 %")):
+        low, high = ((rows[name].to_numpy(float) - measured) / scale for name in names)
+        ax.hlines(at + shift, np.clip(low - wider, -reach, reach), np.clip(high + wider, -reach, reach), color=colour, linewidth=4, label=said)
+    ax.axvline(0, color=grey, linewidth=0.8)
+    ax.set_yticks(at, [_measured(str(name), row) for name, row in rows.iterrows()])
+    ax.set_ylim(len(rows) - 0.4, -0.6)
+    ax.set_xlabel("distance from the measured value (standard errors)")
+    ax.legend(loc="lower center", bbox_to_anchor=(0.5, 1.0), ncols=2, frameon=False)
+    return made
 
 
-def _paths(fit: Fit) -> Any:
+def _measured(name: str, row: pandas.Series) -> str:
+    """What was measured, for a figure."""
+    readout, between, condition = name.partition(" at ")
+    value = f"{row['measured']:.3g}" if row["low"] == row["high"] else f"{row['low']:.3g} to {row['high']:.3g}"
+    words = _words.typeset(f"{_words.words(readout)}: {value} {_words.unit(readout)}".strip()) + between + _words.plain(condition)
+    return words + " (held back)" * bool(row["held_back"])
+
+
+def _paths(measured: Tracks, simulated: Tracks) -> Any:
     """Measured and simulated tracks beside each other, to one scale."""
     made = new(8.2, 4.2)
     axes = made.subplots(1, 2, sharex=True, sharey=True)
-    for ax, cells, colour, said in zip(axes, (fit.measured, fit.simulated), (red, blue), ("measured", "simulated"), strict=True):
-        for track in (cells or {}).values():
+    for ax, cells, colour, said in zip(axes, (measured, simulated), (red, blue), ("measured", "simulated"), strict=True):
+        for track in cells.values():
             ax.plot(*(track - track[np.isfinite(track[:, 0])][0]).T, color=colour, linewidth=1, alpha=0.7)
-        ax.set(xlabel="x (µm)", title=f"{said}: {len(cells or {})} tracks", aspect="equal", adjustable="box")
+        ax.set(xlabel="x (µm)", title=f"{said}: {len(cells)} tracks", aspect="equal", adjustable="box")
     axes[0].set_ylabel("y (µm)")
     return made
 

@@ -1,15 +1,13 @@
-"""Where in the unit cube a function stays below a level: a uniform sample, its share, points that fill it, least values."""
+"""Where in the unit cube a function stays below a level: a uniform sample, its share, and points that fill it."""
 from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 
 from ._emulator import Array
 
-_first = 14  # log2 of the points that are drawn from the whole cube
 _enough = 400  # points below the level
 _walkers = 3000
 _kept = 0.15  # of the points, for the next level
@@ -24,13 +22,6 @@ class Region:
     share: float  #: of the cube
     best: Array  #: the point where the function was least
     least: float
-
-
-def whole(parameters: int, seed: int) -> Array:
-    """Points of the unit cube: Sobol's sequence."""
-    from scipy.stats import qmc
-
-    return np.asarray(qmc.Sobol(parameters, seed=seed).random_base2(_first))
 
 
 def below(function: Callable[[Array], Array], level: float, cube: Array, known: Array, seed: int = 1) -> Region:
@@ -87,19 +78,3 @@ def filling(sample: Array, many: int, there: Array) -> Array:
         chosen.append(int(np.argmin(centre) if np.isinf(distance).all() else np.argmax(distance)))
         distance = np.minimum(distance, np.sum((sample - sample[chosen[-1]])**2, axis=1))
     return sample[chosen]
-
-
-def least(function: Callable[[Array], Array], cube: Array, known: Array, seed: int = 1) -> tuple[Array, float]:
-    """The least value found, and where: from the best known points, by random steps that become smaller."""
-    random = np.random.default_rng(seed)
-    start = np.argsort(known)[:16]
-    place, value, width = cube[start].copy(), known[start].copy(), 0.2
-    for _ in range(25):
-        tried = np.clip(place[:, None] + width * random.standard_normal((len(place), 6, place.shape[1])), 0, 1)
-        found = function(tried.reshape(-1, place.shape[1])).reshape(len(place), -1)
-        better = np.argmin(found, axis=1)
-        rows = np.arange(len(place))
-        closer = found[rows, better] < value
-        place[closer], value[closer] = tried[rows, better][closer], found[rows, better][closer]
-        width *= 0.82
-    return place[np.argmin(value)], float(value.min())

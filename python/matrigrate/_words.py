@@ -71,6 +71,15 @@ def noun(parameter: _schema.Parameter) -> str:
     return f"{section}: {key}".replace("_", " ").replace(".", " ")
 
 
+def at(readout: str, condition: str) -> str:
+    """The name of a read-out at a condition.
+
+    >>> at("l_prot_um", "50 Pa"), title(at("l_prot_um", "50 Pa"))
+    ('l_prot_um at 50 Pa', 'length of mature protrusions, mean, l_prot (µm) at 50 Pa')
+    """
+    return f"{readout} at {condition}" if condition else readout
+
+
 @functools.cache
 def _labels() -> dict[str, dict[str, Any]]:
     return {row["name"]: row for row in _schema.table("readouts.json")}
@@ -98,9 +107,10 @@ def unit(column: str) -> str:
 
 
 def title(column: str) -> str:
-    """Words, symbol and unit of a read-out or parameter."""
+    """Words, symbol and unit of a read-out or parameter, and the condition of ``at``."""
+    column, between, condition = column.partition(" at ")
     parts = [words(column), *([symbol(column)] if symbol(column) else [])]
-    return ", ".join(parts) + (f" ({unit(column)})" if unit(column) else "")
+    return ", ".join(parts) + (f" ({unit(column)})" if unit(column) else "") + between + condition
 
 
 def axis_title(column: str, letters: int = 44) -> str:

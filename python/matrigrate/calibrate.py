@@ -1,4 +1,4 @@
-"""Parameters from measured tracks: which points of a study give cells like the measured ones.
+"""Parameters from measured cells: which points of a study give cells like the measured ones.
 
     from matrigrate import calibrate, tracks
 
@@ -6,11 +6,22 @@
     study = matrigrate.load_study("design-study")         # a Latin hypercube: its ranges are the prior
     fit = calibrate.fit(study, cells, ["speed_um_per_h", "straightness"])
     fit.write("fit")                                      # fit/report.html, and tables
+    fit.next(40, "second.toml")                           # points where cells are like the measured ones, ready to run
 """
 from __future__ import annotations
 
-from ._fit import Emulators, Fit, emulate, fit
-from ._match import Match, Wave, match
-from ._outcomes import Outcome, read_outcomes
+from typing import Any
 
-__all__ = ["Emulators", "Fit", "Match", "Outcome", "Wave", "emulate", "fit", "match", "read_outcomes"]
+from ._fit import Emulators, emulate, fit
+from ._posterior import Fit
+from .errors import ConfigurationError
+
+__all__ = ["Emulators", "Fit", "emulate", "fit"]
+
+
+def _gone(*_: Any, **__: Any) -> Any:
+    raise ConfigurationError("match, Outcome and read_outcomes have gone: calibrate.fit takes numbers and ranges by condition, as in "
+                             "fit(study, {\"50 Pa\": {\"l_prot_um\": (13.1, 0.4)}}, held_back=[...]), and its next(n) gives the next wave")
+
+
+match = Outcome = read_outcomes = _gone

@@ -58,6 +58,8 @@ const char* replacement(std::string_view key) {
   if (key == "steps")
     return "belong to a design that is no more; leave them out: the points and their runs stay. A [latin_hypercube] "
            "and matrigrate.calibrate.fit tell how much each parameter matters";
+  if (key == "outcomes")
+    return "have gone; write [[targets]], or give the numbers by condition to matrigrate.calibrate.fit";
   return nullptr;
 }
 

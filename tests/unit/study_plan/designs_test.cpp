@@ -23,6 +23,9 @@ TEST(Designs, ThoseThatAreNoMoreAreRefusedWithWhatReplacesThem) {
   EXPECT_EQ(fault_of("[morris]\ntrajectories = 4\necm.youngs_modulus = [100, 200]\n"),
             "f.toml:3:2: morris: is no design any more; draw the ranges by [latin_hypercube], of which "
             "matrigrate.calibrate.fit tells how much each parameter matters");
+  EXPECT_EQ(fault_of("[[outcomes]]\nreadout = \"l_prot_um\"\n"),
+            "f.toml:3:3: outcomes: have gone; write [[targets]], or give the numbers by condition to "
+            "matrigrate.calibrate.fit");
   const std::string resolved = "[[points]]\nlabel = \"base\"\n[[points]]\nlabel = \"b\"\nadhesion.rupture = true\n";
   EXPECT_EQ(fault_of(resolved + "[[steps]]\nfactor = \"adhesion.rupture\"\nfrom = \"base\"\nto = \"b\"\n"),
             "f.toml:8:3: steps: belong to a design that is no more; leave them out: the points and their runs stay. A "

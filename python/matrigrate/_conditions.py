@@ -1,0 +1,161 @@
+"""The runs of studies under each condition, and what was measured there."""
+from __future__ import annotations
+
+import os
+import tomllib
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING, Any
+
+from . import _arguments, _words
+from . import tracks as _tracks
+from ._files import _pandas, read_text
+from .errors import ConfigurationError
+from .studies import Study, load_study
+
+if TYPE_CHECKING:
+    import pandas
+
+Source = Any  # a study, its folder, a data frame with a row per run, or a list of these, one for each wave
+
+
+@dataclass(frozen=True)
+class Runs:
+    """The runs under one condition."""
+
+    table: pandas.DataFrame  #: a row per run: ``status``, ``point``, parameters and read-outs
+    parameters: list[str]
+    design: pandas.DataFrame  #: parameters of all points of the first wave, whatever became of their runs
+    studies: dict[str, Study]  #: by the names of runs; empty of a data frame
+
+    @property
+    def readouts(self) -> list[str]:
+        columns = list(self.table.columns)
+        first = columns.index("trajectory_hash") + 1 if "trajectory_hash" in columns else 0
+        return [name for name in columns[first:] if name not in (*self.parameters, "point", "status", "condition")]
+
+
+def by_condition(measured: Any) -> bool:
+    """Whether what was measured stands by conditions: ``{"50 Pa": {"l_prot_um": (13.1, 0.4)}}``."""
+    return isinstance(measured, Mapping) and not isinstance(measured, _tracks.Tracks) and any(isinstance(one, Mapping) for one in measured.values())
+
+
+def require_study(study: Any) -> None:
+    """:raises TypeError: if it is none"""
+    if isinstance(study, (str, os.PathLike)):
+        raise TypeError(f"study is the text {str(study)!r}; a study is expected, as matrigrate.load_study({str(study)!r}) gives it")
+    _arguments.one_of("study", study, Study, list, tuple, dict, _pandas().DataFrame)
+
+
+def runs_of(study: Source | Mapping[str, Source], conditions: Sequence[str], given: Sequence[str]) -> dict[str, Runs]:
+    """The runs under each condition.
+
+    :param conditions: wanted; none: all runs, under the condition ""
+    :param given: parameters of data frames
+    :raises ConfigurationError: with all that is wrong
+    """
+    if not isinstance(study, Mapping):
+        return _of_waves(study, conditions, given)
+    if lacking := [name for name in conditions if name not in study]:
+        raise ConfigurationError("\n".join(f"{name}: there is no study of this condition; there are {', '.join(map(str, study))}" for name in lacking))
+    if not conditions:
+        raise ConfigurationError("measured: studies by condition need what was measured by condition: "
+                                 f"{{\"{next(iter(study), '50 Pa')}\": {{\"l_prot_um\": (13.1, 0.4)}}}}")
+    found = {name: _of_waves(study[name], [], given)[""] for name in conditions}
+    named = {name: set(runs.parameters) for name, runs in found.items()}
+    shared = set.intersection(*named.values())
+    if odd := [f"{name}: varies {', '.join(sorted(own - shared))}, which other conditions do not" for name, own in named.items() if own != shared]:
+        raise ConfigurationError("\n".join(odd))
+    design = _pandas().concat([runs.design for runs in found.values()], ignore_index=True)
+    return {name: replace(runs, design=design) for name, runs in found.items()}
+
+
+def _of_waves(source: Source, conditions: Sequence[str], given: Sequence[str]) -> dict[str, Runs]:
+    waves = [_of_one(one, conditions, given) for one in (source if isinstance(source, (list, tuple)) else [source])]
+    if not waves:
+        raise ConfigurationError("one study is needed")
+    return {name: _together([wave[name] for wave in waves]) for name in waves[0]}
+
+
+def _together(waves: list[Runs]) -> Runs:
+    """Runs of several waves; those of two count once."""
+    if len(waves) == 1:
+        return waves[0]
+    first = waves[0]
+    if lacking := [f"{name}: wave {k} has no such parameter" for k, wave in enumerate(waves, 1) for name in first.parameters if name not in wave.table]:
+        raise ConfigurationError("\n".join(lacking))
+    table = _pandas().concat([wave.table.assign(point=[f"{k}: {point}" for point in wave.table["point"]]) for k, wave in enumerate(waves, 1)],
+                             ignore_index=True)
+    table = table.drop_duplicates(["run"] if "run" in table else [name for name in table if name != "point"], ignore_index=True)
+    return replace(first, table=table, studies={run: study for wave in waves for run, study in wave.studies.items()})
+
+
+def _of_one(source: Any, conditions: Sequence[str], given: Sequence[str]) -> dict[str, Runs]:
+    if isinstance(source, _pandas().DataFrame):
+        return _of_frame(source, conditions, given)
+    study = source if isinstance(source, Study) else load_study(source)
+    results = study.results.assign(point=study.results["label"])
+    parameters, labels = study.parameters, [one["label"] for one in document_of(study).get("conditions", [])]
+    if not conditions:
+        return {"": _runs(results, parameters, study)}
+    _require_known(conditions, labels, "study")
+    fixed = {key for one in document_of(study)["conditions"] for key in one if key != "label"}
+    parameters = [name for name in parameters if (known := _words.parameter_of(name)) is None or known.path not in fixed]
+    at = {point: max((label for label in labels if point.startswith(f"{label}: ")), key=len, default="") for point in results["point"].unique()}
+    return {name: _runs(results[results["point"].map(at) == name], parameters, study) for name in conditions}
+
+
+def _of_frame(frame: pandas.DataFrame, conditions: Sequence[str], given: Sequence[str]) -> dict[str, Runs]:
+    if not given:
+        raise ConfigurationError("prior: is needed for a data frame: it names the parameters and their ranges")
+    columns = list(frame.columns)
+    faults = [f"{name}: two columns have this name" for name in dict.fromkeys(columns) if columns.count(name) > 1]
+    faults += [f"{name}: the data frame has no such column" for name in given if name not in columns]
+    faults += [f"{name}: only finite numbers can be fitted" for name in given if columns.count(name) == 1 and not _is_finite(frame[name])]
+    if conditions and "condition" not in columns:
+        faults.append("condition: the data frame has no such column")
+    if faults:
+        raise ConfigurationError("\n".join(faults))
+    table = frame.assign(point=frame.groupby(list(given), sort=False).ngroup(), status=frame["status"] if "status" in columns else "done")
+    if not conditions:
+        return {"": _runs(table, list(given))}
+    _require_known(conditions, sorted(table["condition"].astype(str).unique()), "data frame")
+    return {name: _runs(table[table["condition"].astype(str) == name], list(given)) for name in conditions}
+
+
+def _is_finite(column: pandas.Series) -> bool:
+    return bool(_pandas().api.types.is_numeric_dtype(column) and column.abs().lt(float("inf")).all())
+
+
+def _require_known(conditions: Sequence[str], labels: Sequence[str], owner: str) -> None:
+    known = f"; it has {', '.join(labels)}" if labels else ": it has no conditions"
+    if unknown := [f"{name}: the {owner} has no such condition{known}" for name in conditions if name not in labels]:
+        raise ConfigurationError("\n".join(unknown))
+
+
+def _runs(table: pandas.DataFrame, parameters: list[str], study: Study | None = None) -> Runs:
+    table = table.reset_index(drop=True)
+    return Runs(table, parameters, table.drop_duplicates("point")[parameters].reset_index(drop=True),
+                {} if study is None else dict.fromkeys(table["run"], study))
+
+
+def document_of(study: Study) -> dict[str, Any]:
+    return tomllib.loads(read_text(study.folder / "study.resolved.toml"))
+
+
+def targets_of(study: Any) -> dict[str, Any]:
+    """What ``[[targets]]`` of a study say, as ``fit`` takes it: by condition if it has any.
+
+    :raises ConfigurationError: if there are none, or some of tracks
+    """
+    document = document_of(study) if isinstance(study, Study) else {}
+    labels, found = [one["label"] for one in document.get("conditions", [])], dict[str, dict[str, Any]]()
+    for target in document.get("targets", []):
+        if "tracks" in target:
+            raise ConfigurationError(f"targets: {target['readout']}: is of tracks: give these, as matrigrate.tracks.read(\"{target['tracks']}\") reads them")
+        value = target["value"] if "value" in target else (target["low"], target["high"])
+        for label in target.get("at", labels) or [""]:
+            found.setdefault(label, {})[target["readout"]] = (value, target["error"])
+    if not found:
+        raise ConfigurationError("measured: the study has no [[targets]]; give what was measured: {\"l_prot_um\": (13.1, 0.4)}")
+    return found if labels else found[""]

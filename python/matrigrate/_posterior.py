@@ -1,0 +1,340 @@
+"""What measured numbers say of parameters: posterior, plausible space, which number excludes what."""
+from __future__ import annotations
+
+import os
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass, field
+from itertools import combinations
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from . import _arguments, _emulator, _space, _words
+from . import tracks as _tracks
+from ._emulator import Array, Emulator, Prior
+from ._files import _pandas, make_folder, unit_of
+from ._measurement import Measurement, differences
+from .errors import ConfigurationError
+from .studies import Study
+
+if TYPE_CHECKING:
+    import pandas
+
+    from ._fit import Emulators
+
+constrained_width = 0.8  #: of the 90 % interval of the prior: a wider one is not called constrained
+_implausible = 3.0
+
+
+@dataclass(frozen=True)
+class Fit:
+    """What measured numbers say of parameters, by emulators of a study or of several. A number is a read-out, or a read-out at a condition:
+    ``l_prot_um at 50 Pa``."""
+
+    table: pandas.DataFrame
+    """A row per parameter: quantiles of prior and posterior, ``width`` of the 90 % interval over that of the prior, ``constrained``
+    (whether it is below 0.8 and the prior cuts off neither end), ``at_bound`` ("lower" or "upper", the bound of the prior at which the
+    posterior ends), and the range ``plausible_low`` to ``plausible_high`` that history matching leaves."""
+    readouts: pandas.DataFrame
+    """A row per number: measured value and error, ``low`` and ``high`` end of a measured range; mean and 5 and 95 % quantiles over the
+    posterior; ``implausibility`` at the best point; of the emulator, ``predicted`` share of the variance of points and ``coverage`` of its
+    90 % intervals; and whether it was ``held_back``: predicted, not fitted."""
+    sensitivity: pandas.DataFrame
+    """A row for each number and parameter: Sobol's ``first`` and ``total`` index, each with its 90 % interval."""
+    alone: pandas.DataFrame
+    """A row for each fitted number and parameter: the ``plausible`` share of the prior that this number alone leaves, and the range of the
+    parameter there, ``low`` to ``high``."""
+    exclusions: pandas.DataFrame
+    """A row for each pair of fitted numbers: shares of the prior that are plausible by ``a``, by ``b`` and by ``both``; and ``least``, the
+    smallest distance within the prior at which both are met, in standard errors. Those that exclude each other come first."""
+    sample: pandas.DataFrame  #: drawn from the posterior, a row per draw
+    correlations: pandas.DataFrame  #: of the sample
+    plausible: float  #: share of the prior that no number excludes by three standard errors
+    effective_sample_size: float  #: independent draws with the same information as the weighted ones
+    notes: list[str]
+    prior: Prior
+    tracks: dict[str, tuple[_tracks.Tracks, _tracks.Tracks | None]] = field(default_factory=dict)
+    """By condition, "" without one: measured tracks, and simulated ones of the points that fit best."""
+    source: dict[str, str] = field(default_factory=dict)  #: folders of studies, file of the tracks, seed
+    _left: Array = field(default_factory=lambda: np.empty((0, 0)), repr=False)  # plausible points of the unit cube
+    _there: Array = field(default_factory=lambda: np.empty((0, 0)), repr=False)  # those that were simulated
+    _like: Study | None = field(default=None, repr=False)  # of which the next wave is
+
+    @property
+    def measured(self) -> _tracks.Tracks | None:
+        """Measured tracks, if there is one condition."""
+        return self.tracks[""][0] if "" in self.tracks else None
+
+    @property
+    def simulated(self) -> _tracks.Tracks | None:
+        """As many tracks of the points that fit best."""
+        return self.tracks[""][1] if "" in self.tracks else None
+
+    def __repr__(self) -> str:
+        shown = ["prior_5", "prior_95", "posterior_5", "posterior_50", "posterior_95", "width", "constrained", "at_bound"]
+        return "\n".join([self.table[shown].to_string(float_format="%.4g"), "",
+                          self.readouts.to_string(float_format="%.3g"), *self.notes])
+
+    def next(self, many: int, file: str | os.PathLike[str] | None = None, *, like: Study | str | os.PathLike[str] | None = None) -> pandas.DataFrame:
+        """Points for the next wave, a row each: they fill what is plausible, and stay away from points that were simulated.
+
+        :param file: written as a study for ``matrigrate study run``, and checked by the program
+        :param like: the study, or its file, from which all but the points is taken; if left out, the one that was fitted
+        :raises ConfigurationError: if nothing is plausible, or it is not known what the study is like
+        """
+        if isinstance(many, bool) or not isinstance(many, (int, np.integer)) or many < 1:
+            raise ConfigurationError(f"many: {many!r} is no number of points from 1 on")
+        if not len(self._left):
+            raise ConfigurationError("nothing within the prior is plausible: widen the ranges, or give a discrepancy of the model")
+        points = _pandas().DataFrame(self.prior.from_cube(_space.filling(self._left, many, self._there)), columns=self.prior.names)
+        if file is not None:
+            from ._study_file import write_points
+
+            if like is None and self._like is None:
+                raise ConfigurationError("like: is needed, since the fit is not of one study: it names the study from which all but the points is taken")
+            write_points(_arguments.path("file", file), points, self._like if like is None else like)
+        return points
+
+    def write(self, folder: str | os.PathLike[str], *, overwrite: bool = False) -> Path:
+        """Writes posterior.csv, sample.csv, readouts.csv, sensitivity.csv, alone.csv, exclusions.csv and report.html, which needs no other
+        file, into a new folder.
+
+        :param overwrite: whether to replace these files in a folder that is there already
+        :return: report.html
+        """
+        from ._report import page_of_fit
+
+        path = _arguments.path("folder", folder)
+        text = page_of_fit(self)
+        make_folder(path, overwrite)
+        for name, table in (("posterior", self.table), ("readouts", self.readouts)):
+            table.to_csv(path / f"{name}.csv", index_label="parameter" if name == "posterior" else "readout")
+        for name, table in (("sensitivity", self.sensitivity), ("sample", self.sample), ("alone", self.alone), ("exclusions", self.exclusions)):
+            table.to_csv(path / f"{name}.csv", index=False)
+        (path / "report.html").write_text(text, encoding="utf-8")
+        return path / "report.html"
+
+
+class Part:
+    """What was measured under one condition, with the emulators of the same read-outs."""
+
+    def __init__(self, condition: str, emulators: Emulators, wanted: Measurement, measured: Any = None) -> None:
+        self.condition, self.emulators, self.wanted, self.measured = condition, emulators, wanted, measured
+        self.names = [_words.at(name, condition) for name in emulators.names]
+        self.low, self.high = (wanted.table[end].to_numpy(float) for end in ("low", "high"))
+        self.tells = np.array([one.tells for one in emulators.processes])
+        self._own = np.zeros(len(self.names))
+
+    def with_discrepancy(self, own: Mapping[str, float]) -> Part:
+        self._own = np.array([own.get(name, own.get(readout, 0.0)) for name, readout in zip(self.names, self.emulators.names, strict=True)])
+        return self
+
+    @property
+    def covariance(self) -> Array:
+        return np.asarray(self.wanted.covariance + np.diag(self._own**2))
+
+    def said(self, notes: Iterable[str]) -> list[str]:
+        return [f"{self.condition}: {note}" if self.condition else note for note in notes]
+
+    def predicted(self, cube: Array) -> tuple[Array, Array]:
+        return predictions(self.emulators.processes, cube)
+
+    def likelihood(self, means: Array, errors: Array) -> Array:
+        """In the logarithm. Numbers whose emulators predict nothing would add noise only."""
+        exact, ranges = (np.flatnonzero(self.tells & one) for one in (self.low == self.high, self.low < self.high))
+        found = np.zeros(len(means))
+        if len(exact):
+            found = _log_likelihood(means[:, exact], errors[:, exact], self.low[exact], self.covariance[np.ix_(exact, exact)], self.wanted.cells)
+        for k in ranges:
+            found = found + _log_inside(self.low[k], self.high[k], means[:, k], np.sqrt(errors[:, k]**2 + self.covariance[k, k]))
+        return found
+
+    def far(self, means: Array, errors: Array) -> Array:
+        """Distances from what was measured, in standard errors. A read-out that is not predicted has one value everywhere, with the scatter of points."""
+        values = [one.values for one in self.emulators.processes]
+        means = np.where(self.tells, means, [one.mean() for one in values])
+        errors = np.where(self.tells, errors, [one.std() for one in values])
+        off = np.maximum(0.0, np.maximum(self.low - means, means - self.high))
+        return np.asarray(off / np.sqrt(errors**2 + np.diag(self.covariance)))
+
+    def missed(self) -> list[str]:
+        """Read-outs that no parameter changes, and that are met nowhere."""
+        off = self.far(np.zeros((1, len(self.names))), np.zeros((1, len(self.names))))[0]
+        return [f"{self.names[k]}: is {values.mean():.4g} ({values.min():.4g} to {values.max():.4g}) at all points, measured is {_ends(self.low[k], self.high[k])}: "
+                "it is met nowhere" for k, values in enumerate(one.values for one in self.emulators.processes)
+                if not self.tells[k] and off[k] >= _implausible]
+
+    def nearest(self) -> _tracks.Tracks | None:
+        """As many tracks as were measured, of the points whose emulated read-outs are nearest to the measured ones."""
+        points, prior = self.emulators.points, self.emulators.prior
+        if not points.tracks:
+            return None
+        at = prior.to_cube(points.parameters[prior.names].to_numpy(float))
+        chosen = {name: track for k in np.argsort(-self.likelihood(*self.predicted(at)))[:len(self.measured)] for name, track in points.tracks[k].items()}
+        return _tracks.Tracks(dict(list(chosen.items())[:len(self.measured)]), points.tracks[0].interval, [])
+
+
+def joint(parts: list[Part], held: list[Part], discrepancy: Mapping[str, float], seed: int) -> Fit:
+    """The posterior of the parameters that all parts have.
+
+    :param held: predicted, not fitted
+    """
+    prior = parts[0].emulators.prior
+    _require_same([*parts, *held])
+    for part in (*parts, *held):
+        part.with_discrepancy(discrepancy)
+    even = parts[0].emulators.of_prior[0]
+    known = [part.emulators.of_prior[1:] for part in parts]
+
+    def likelihood(cube: Array) -> Array:
+        return np.sum([part.likelihood(*part.predicted(prior.snapped(cube))) for part in parts], axis=0)
+
+    def far(cube: Array) -> Array:
+        return np.hstack([part.far(*part.predicted(prior.snapped(cube))) for part in parts])
+
+    drawn, effective = _emulator.sampled(likelihood, even, np.sum([part.likelihood(*one) for part, one in zip(parts, known, strict=True)], axis=0), seed=seed)
+    off = np.hstack([part.far(*one) for part, one in zip(parts, known, strict=True)])
+    region = _space.below(lambda cube: far(cube).max(axis=1), _implausible, even, off.max(axis=1), seed)
+    names = [name for part in parts for name in part.names]
+    best = far(region.best[None])[0]
+    left = prior.snapped(region.sample)
+    table = _table(prior, drawn, left)
+    with np.errstate(invalid="ignore"):  # of a whole number that has one value
+        correlations = _pandas().DataFrame(np.atleast_2d(np.corrcoef(drawn.T)), prior.names, prior.names)
+    sensitivity = _pandas().concat([part.emulators.sensitivity.assign(readout=[_words.at(name, part.condition) for name in part.emulators.sensitivity["readout"]])
+                                    for part in (*parts, *held)], ignore_index=True)
+    notes = [note for part in parts for note in part.said([*part.wanted.notes, *part.emulators.notes, *differences(part.emulators.points, part.wanted)])]
+    notes += [note for part in held for note in part.said(part.emulators.notes) if note not in notes]
+    if effective < 200:
+        notes.append(f"the effective sample size is only {effective:.0f}: quantiles are rough")
+    notes += [note for part in parts for note in part.missed()]
+    if not len(left):
+        notes.append(f"no parameters within the ranges give such cells: {names[int(np.argmax(best))]} is off by "
+                     f"{best.max():.1f} standard errors even at the best ones")
+    notes += [bound_note(name, side, (prior.low if side == "lower" else prior.high)[k]) for k, (name, side) in enumerate(table["at_bound"].items()) if side]
+    notes += _untold(table, correlations, sensitivity)
+    shown = _pandas().concat([*(_shown(part, drawn, region.best, False) for part in parts), *(_shown(part, drawn, region.best, True) for part in held)])
+    there = np.unique(np.concatenate([prior.to_cube(part.emulators.points.parameters[prior.names].to_numpy(float)) for part in parts]), axis=0)
+    return Fit(table, shown, sensitivity, _alone(names, off, even, prior), _exclusions(names, off),
+               _pandas().DataFrame(prior.from_cube(drawn), columns=prior.names), correlations, region.share, effective, notes, prior,
+               {part.condition: (part.measured, part.nearest()) for part in parts if isinstance(part.measured, _tracks.Tracks)},
+               {"study": parts[0].emulators.study, "tracks": ", ".join(filter(None, (getattr(part.measured, "source", "") for part in parts))), "seed": str(seed)},
+               np.unique(left, axis=0) if any(prior.whole or []) else left, there)
+
+
+def predictions(emulators: Sequence[Emulator], at: Array) -> tuple[Array, Array]:
+    both = [emulator(at) for emulator in emulators]
+    return np.column_stack([mean for mean, _ in both]), np.column_stack([error for _, error in both])
+
+
+def _require_same(parts: Sequence[Part]) -> None:
+    """All emulators are over the same parameters, or there are reasons why not."""
+    own = [set(part.emulators.prior.names) for part in parts]
+    shared = set.intersection(*own)
+    if faults := [f"{name}: cannot be fitted: " + "; ".join(note for part in parts for note in part.said(part.emulators.notes) if note.partition(": is ")[0].endswith(name))
+                  for name in sorted(set.union(*own) - shared)]:
+        raise ConfigurationError("\n".join(faults))
+
+
+def _ends(low: float, high: float) -> str:
+    return f"{low:.4g}" if low == high else f"{low:.4g} to {high:.4g}"
+
+
+def _log_likelihood(means: Array, errors: Array, value: Array, covariance: Array, cells: int) -> Array:
+    """Errors of emulators are independent: each read-out has its own. A covariance that is itself estimated from n tracks
+    makes a t distribution of the normal one (Sellentin and Heavens 2016)."""
+    whole = covariance + errors[:, :, None] * np.eye(len(value)) * errors[:, None, :]
+    off = means - value
+    squared = np.einsum("ij,ij->i", off, np.linalg.solve(whole, off[:, :, None])[:, :, 0])
+    fit = -0.5 * squared if cells < 2 else -0.5 * cells * np.log1p(squared / (cells - 1))
+    return np.asarray(fit - 0.5 * np.linalg.slogdet(whole)[1])
+
+
+def _log_inside(low: float, high: float, means: Array, errors: Array) -> Array:
+    """Logarithm of the probability that a value with a normal error lies in a range."""
+    from scipy.special import log_ndtr
+
+    a, b = (low - means) / errors, (high - means) / errors
+    a, b = np.where(a > 0, -b, a), np.where(a > 0, -a, b)  # the tail that can be told from 0
+    return np.asarray(log_ndtr(b) + np.log1p(-np.exp(np.minimum(log_ndtr(a) - log_ndtr(b), -1e-300))))
+
+
+def _shown(part: Part, drawn: Array, best: Array, held: bool) -> pandas.DataFrame:
+    """Rows of ``Fit.readouts``."""
+    after, _ = part.predicted(drawn[:1000])
+    low, high = np.percentile(after, [5, 95], axis=0)
+    processes, cube = part.emulators.processes, part.emulators.prior.snapped(best[None])
+    return _pandas().DataFrame({
+        "measured": part.wanted.table["value"].to_numpy(float), "standard_error": part.wanted.table["standard_error"].to_numpy(float),
+        "low": part.low, "high": part.high, "posterior_mean": after.mean(axis=0), "posterior_5": low, "posterior_95": high,
+        "implausibility": part.far(*part.predicted(cube))[0], "predicted": [one.explained for one in processes],
+        "predicted_error": [one.explained_error for one in processes], "coverage": [one.coverage for one in processes], "held_back": held}, index=part.names)
+
+
+def _alone(names: list[str], off: Array, even: Array, prior: Prior) -> pandas.DataFrame:
+    rows = []
+    for name, own in zip(names, off.T, strict=True):
+        left = even[own < _implausible]
+        ends = prior.from_cube(np.array([left.min(axis=0), left.max(axis=0)])) if len(left) else np.full((2, len(prior.names)), np.nan)
+        rows += [[name, parameter, len(left) / len(even), *ends[:, k]] for k, parameter in enumerate(prior.names)]
+    return _pandas().DataFrame(rows, columns=["readout", "parameter", "plausible", "low", "high"])
+
+
+def _exclusions(names: list[str], off: Array) -> pandas.DataFrame:
+    kept = off < _implausible
+    rows = [[names[i], names[j], kept[:, i].mean(), kept[:, j].mean(), (kept[:, i] & kept[:, j]).mean(), off[:, [i, j]].max(axis=1).min()]
+            for i, j in combinations(range(len(names)), 2)]
+    table = _pandas().DataFrame(rows, columns=["a", "b", "plausible_a", "plausible_b", "both", "least"])
+    return table.sort_values("least", ascending=False, ignore_index=True, kind="stable")
+
+
+def _table(prior: Prior, drawn: Array, kept: Array) -> pandas.DataFrame:
+    ends = np.percentile(drawn, [5, 50, 95], axis=0)
+    before = prior.from_cube(np.array([[0.05], [0.5], [0.95]]) * np.ones(len(prior.names)))
+    after = prior.from_cube(ends)
+    left = prior.from_cube(np.array([kept.min(axis=0), kept.max(axis=0)])) if len(kept) else np.full((2, len(prior.names)), np.nan)
+    width = (ends[2] - ends[0]) / 0.9
+    bounds = [at_bound(column) for column in drawn.T]
+    constrained = (width < constrained_width) & (np.array(bounds) == "")
+    return _pandas().DataFrame({"prior_5": before[0], "prior_50": before[1], "prior_95": before[2], "posterior_5": after[0],
+                                "posterior_50": after[1], "posterior_95": after[2], "width": width, "constrained": constrained, "at_bound": bounds,
+                                "plausible_low": left[0], "plausible_high": left[1]}, index=prior.names)
+
+
+def _untold(table: pandas.DataFrame, correlations: pandas.DataFrame, sensitivity: pandas.DataFrame) -> list[str]:
+    """What the data cannot tell, and why."""
+    notes = []
+    for name, row in table.iterrows():
+        others = correlations[name].drop(name)
+        tied = [f"{other} ({r:.2f})" for other, r in others.items() if abs(r) > 0.7]
+        if tied:
+            notes.append(f"{name} is constrained only together with {', '.join(tied)}: the correlation in the posterior")
+        if row["width"] < constrained_width:
+            continue
+        total = sensitivity.loc[sensitivity["parameter"] == name, "total_95"].max()
+        total = 0.0 if np.isnan(total) else total
+        reason = f"no read-out depends on it (total index below {max(total, 0.01):.2f})" if total < 0.1 else \
+            "the read-outs depend on it, but their errors are too large" if not tied else "see the correlation"
+        notes.append(f"the data cannot tell {name}: its 90 % interval is {row['width']:.0%} of the prior's; {reason}")
+    return notes
+
+
+def at_bound(places: Any) -> str:
+    """"lower" or "upper", if the posterior is cut off by that bound of the prior; else "".
+
+    It is where its density in the last tenth of the prior is at least the prior's, and half of its largest: so there is no sign that it
+    falls towards the bound. A posterior like that at both ends is the prior itself.
+
+    :param places: from 0 to 1 in the prior
+    """
+    shares = np.histogram(np.clip(places, 0, 1), np.linspace(0, 1, 11))[0].astype(float)
+    shares /= shares.sum()
+    lower, upper = (bool(share >= max(0.1, 0.5 * shares.max())) for share in (shares[0], shares[-1]))
+    return "" if lower == upper else "lower" if lower else "upper"
+
+
+def bound_note(name: str, side: str, end: float) -> str:
+    unit = unit_of(name)
+    return (f"{name}: the posterior ends at the {side} bound of the prior, {end:.3g}{'' if unit == '1' else ' ' + unit}: "
+            "widen the range")
