@@ -1,9 +1,13 @@
+#include "apps/shipped_pages.hpp"
 #include "apps/terminal/terminal.hpp"
 #include "apps/terminal/text_table.hpp"
 #include "apps/track_options.hpp"
 #include "apps/verbs.hpp"
 #include "base/failure.hpp"
 #include "base/file.hpp"
+#include "report/run_page.hpp"
+#include "run/folder_state.hpp"
+#include "study_report/beside.hpp"
 #include "tracks/drift.hpp"
 #include "tracks/read_tracks.hpp"
 #include "tracks/readouts.hpp"
@@ -12,10 +16,13 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <memory>
 #include <stdexcept>
+#include <utility>
+#include <vector>
 
 namespace matrigrate::apps {
 
@@ -24,7 +31,9 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 struct TracksArguments {
-  std::string file;
+  std::string file; ///< the only one, or the one that is read
+  std::vector<std::string> files;
+  std::string beside;
   TrackArguments reading;
   std::string every;
   std::string error;
@@ -132,9 +141,52 @@ tracks::Tracks wanted_tracks(const TracksArguments& asked) {
   return asked.every.empty() ? cells : tracks::at_interval(cells, every, asked.file);
 }
 
-int read_and_tell(const TracksArguments& asked) {
+double error_of(const TracksArguments& asked) {
   const double error = asked.error.empty() ? 0.0 : quantity_option(asked.error, "--error", "um");
   if (!(error >= 0.0)) throw UsageError(fmt::format("--error: {:g} um is no localisation error", error));
+  return error;
+}
+
+/// "control" of data/control.csv; the whole of what was typed where two files have one name.
+std::string label_of(const std::string& file, const std::vector<std::string>& files) {
+  const auto stem = [](const std::string& one) { return std::filesystem::path(one).stem().string(); };
+  return std::ranges::count(files, stem(file), stem) == 1 ? stem(file) : file;
+}
+
+/// The page of all files beside a run or a study.
+int show_beside(TracksArguments asked) {
+  const double error = error_of(asked);
+  const run::FolderState state = run::look_at(asked.beside);
+  run::require(state, run::Use::see_either);
+  if (asked.output.empty()) asked.output = "beside.html";
+  if (!asked.force && std::filesystem::exists(asked.output))
+    throw InputOutputError(fmt::format("{}: exists; --force replaces it, -o names another file", asked.output));
+  std::vector<study::CellGroup> groups;
+  for (const std::string& file : asked.files) {
+    asked.file = file;
+    groups.push_back({.label = label_of(file, asked.files), .tracks = wanted_tracks(asked)});
+  }
+  study::require_comparable(groups);
+  const study::Microscope microscope{
+      .interval = groups.front().tracks.interval, .duration = study::usual_duration(groups), .error = error};
+  const std::vector<study::CellGroup> simulated = study::simulated_cells(asked.beside, microscope);
+  groups.insert(groups.end(), simulated.begin(), simulated.end());
+  Json page = study::beside_data(groups, microscope);
+  for (const study::CellGroup& group : groups)
+    for (const std::string& note : group.tracks.notes) {
+      print(fmt::format("{}: {}\n", group.label, note));
+      page["facts"].push_back({{"name", group.label}, {"value", note}});
+    }
+  write_file(asked.output, report::filled_page(study_page_template(), page));
+  print(fmt::format("{}\nopen {}\n", page["summary"].get<std::string>(), asked.output));
+  return done;
+}
+
+int read_and_tell(TracksArguments asked) {
+  if (!asked.beside.empty()) return show_beside(std::move(asked));
+  if (asked.files.size() > 1) throw UsageError("several files are for --beside: a run or a study to stand beside them");
+  asked.file = asked.files.front();
+  const double error = error_of(asked);
   check_output(asked);
   tracks::Tracks cells = wanted_tracks(asked);
   const tracks::TrackParts parts(cells);
@@ -167,13 +219,18 @@ void add_tracks(CLI::App& app, Action& chosen) {
       "btrack, napari, ImageJ's Manual Tracking, MTrackJ, MOSAIC, CellProfiler and Imaris; of other tables --columns\n"
       "names the columns. What is given counts, whatever the file states; a note then "
       "says so.\n"
+      "--beside draws the cells of all files and of the model on one page, each figure of which can be saved as SVG.\n"
       "-o writes the plain form, track,t_s,x_um,y_um, which report --tracks and [[targets]] take as it is.\n"
       "The standard error is a bootstrap over tracks.\n"
       "--json prints {file, layout, encoding, separator, decimal_comma, columns, um_per_unit, times, s_per_unit,\n"
       "interval_s, tracks, positions, missing, notes, readouts: {NAME: {value, standard_error, unit, meaning}}}, and\n"
       "table (the file of -o) or rows [[track, t_s, x_um, y_um], ...].");
   const auto options = std::make_shared<TracksArguments>();
-  verb->add_option("FILE", options->file, "File of tracks")->required();
+  verb->add_option("FILE", options->files, "File of tracks; with --beside several, of groups of cells")->required();
+  verb->add_option("--beside", options->beside,
+                   "Folder of a run or a study: writes a page (-o, default beside.html) with paths, mean square "
+                   "displacements and distributions of all files and of the model, at the interval, duration and "
+                   "--error of the files");
   add_track_options(*verb, options->reading);
   verb->add_option("--shortest", options->reading.options.shortest, "Leave tracks of fewer positions out (default 4)");
   verb->add_option("--fewest", options->reading.options.fewest, "Refuse fewer tracks (default 2)");

@@ -119,5 +119,30 @@ TEST_F(TracksVerb, OptionsThatAreWrongAreUsage) {
   refused("--columns x=a,x=b", "x is named twice");
 }
 
+TEST_F(TracksVerb, DrawsGroupsBesideARun) {
+  std::filesystem::create_directory(folder / "model");
+  write("model/run.json", R"({"status":"done"})");
+  std::string rows = "track,t_s,x_um,y_um\n";
+  for (int k = 0; k <= 40; ++k) rows += "1," + std::to_string(60 * k) + "," + std::to_string(0.5 * k) + ",0\n";
+  write("model/tracks.csv", rows);
+  const std::string command = "tracks files/trackmate.csv --beside model";
+  const Ended ended = run(command + " --error '0.2 um'");
+  ASSERT_EQ(ended.code, 0) << ended.err;
+  EXPECT_TRUE(contains(ended.out, "trackmate 50.4")) << ended.out;
+  EXPECT_TRUE(contains(ended.out, "open beside.html\n")) << ended.out;
+  EXPECT_TRUE(contains(text_of(folder / "beside.html"), "\"matrigrate-study\""));
+  EXPECT_EQ(run(command).err, "matrigrate: beside.html: exists; --force replaces it, -o names another file\n");
+  const auto refused = [&](const std::string& options, int code, const std::string& message) {
+    const Ended other = run("tracks " + options + " -o other.html");
+    EXPECT_EQ(other.code, code) << options;
+    EXPECT_TRUE(contains(other.err, message)) << other.err;
+    EXPECT_TRUE(!exists("other.html"));
+  };
+  refused("files/trackmate.csv files/trackmate.csv --beside model", 3, "has the same positions as files/trackmate.csv");
+  refused("files/trackmate.csv --beside files", 5, "files: is the folder of neither a run");
+  refused("files/trackmate.csv files/celltrackscolab.csv", 2, "several files are for --beside");
+  refused("files/trackmate.csv --beside model --error '-1 um'", 2, "--error: -1 um is no localisation error");
+}
+
 } // namespace
 } // namespace matrigrate

@@ -32,6 +32,24 @@ test("draws every plot without an error or a request", async () => {
   await page.context().close();
 });
 
+test("groups of tracks have names in place of seeds, and medians with their intervals", async () => {
+  const study = sampleStudy();
+  study.sampled = "tracks";
+  study.provenance = "";
+  for (const run of study.runs) run.name = `<track> ${run.id}`;
+  for (const group of study.groups) if (group.median !== null) group.median_interval = [group.median - 1, group.median + 1];
+  const { page, errors } = await open(browser, "study", JSON.stringify(study));
+  const group = study.groups.find((g) => g.median !== null && g.n > 0);
+  assert.ok(group);
+  const text = (await page.locator("#medians").textContent()) ?? "";
+  assert.ok(text.includes(`n = ${group.n}`) && text.includes("["), text.slice(0, 200));
+  assert.ok((await page.locator("#readouts").textContent())?.includes("points: tracks"));
+  assert.equal(await page.locator("#runs").count(), 0);
+  assert.equal(await page.locator("#provenance").count(), 0);
+  assert.deepEqual(errors, []);
+  await page.context().close();
+});
+
 test("begins with what came out, the command and the number of runs", async () => {
   const study = sampleStudy();
   const { page } = await open(browser, "study", JSON.stringify(study));

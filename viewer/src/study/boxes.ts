@@ -5,7 +5,7 @@ import { pretty, readable } from "../numbers";
 import { brackets, leastRuns, sign, starsNote, story, type Bracket, type Shown } from "./brackets";
 import { axis, figure, ink, wholeTicks, type Json } from "../figure";
 import { capital, lettered, titleOf, typeset, unmarked } from "../words";
-import { groupAt, seriesColour, values, type Grid, type Group } from "./groups";
+import { groupAt, nameOf, seriesColour, values, type Grid, type Group } from "./groups";
 
 /** The summary of a read-out at the point of a group, as the program computed it. */
 const statisticsOf = (study: StudyData, group: Group, readout: string): StudyGroup | undefined =>
@@ -18,7 +18,7 @@ function caption(study: StudyData, readout: StudyReadout): string {
 /** Runs that a box is drawn of; of fewer the runs alone. */
 export const leastForBox = 5;
 
-export const boxesNote = `Boxes, of ${leastForBox} runs or more: median and quartiles, whiskers after Tukey; points: runs; diamond: mean; numbers below: n. * p < 0.05, ** p < 0.01, *** p < 0.001, with p corrected after Holm over all comparisons of the read-out; no stars below n = ${leastRuns}. Hover for both p and the test.`;
+export const boxesNote = (many: string): string => `Boxes, of ${leastForBox} ${many} or more: median and quartiles, whiskers after Tukey; points: ${many}; diamond: mean; numbers below: n. * p < 0.05, ** p < 0.01, *** p < 0.001, with p corrected after Holm over all comparisons of the read-out; no stars below n = ${leastRuns}. Hover for both p and the test.`;
 
 /** Height that the labels of the columns and the title below them need [pixels]: turned labels need their length. */
 function labelRoom(columns: string[], width: number): number {
@@ -39,7 +39,7 @@ export function boxesOfAll(study: StudyData, made: Grid, show: Shown): HTMLEleme
   const empty = study.readouts.filter((r) => !shown.includes(r)).map((r) => r.meaning);
   return [
     ...shown.map((r) => boxes(study, made, r, show, levels)),
-    ...(empty.length > 0 ? [h("p", { class: "note empty" }, ...lettered(`No run has a value of: ${empty.join("; ")}.`))] : []),
+    ...(empty.length > 0 ? [h("p", { class: "note empty" }, ...lettered(`Nothing has a value of: ${empty.join("; ")}.`))] : []),
   ];
 }
 
@@ -63,7 +63,7 @@ export function boxes(study: StudyData, made: Grid, readout: StudyReadout, show:
       for (const g of groups) {
         const found = values(g, readout.name);
         const box = statisticsOf(study, g, readout.name);
-        const text = found.map((v) => `${typeset(g.label)}<br>seed ${v.run.seed}: ${readable(v.value)}`);
+        const text = found.map((v) => `${typeset(g.label)}<br>${nameOf(v.run)}: ${readable(v.value)}`);
         if (found.length < leastForBox) {
           data.push({
             type: "scatter",

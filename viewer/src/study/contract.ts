@@ -41,6 +41,8 @@ export interface StudyRun {
   /** From 1. */
   replicate?: number;
   seed: number;
+  /** Of a measured track, in place of the seed. */
+  name?: string;
   status: "done" | "failed" | "running" | "pending";
   /** Why it failed; "" otherwise. */
   reason: string;
@@ -76,6 +78,8 @@ export interface StudyGroup {
   low_whisker: number | null;
   low_quartile: number | null;
   median: number | null;
+  /** With a confidence of 95 %. */
+  median_interval?: [number, number] | null;
   high_quartile: number | null;
   high_whisker: number | null;
 }
@@ -189,6 +193,8 @@ export interface StudyPlayer {
 /** What is drawn of a study. */
 export interface StudyData {
   title: string;
+  /** What groups are of, runs if left out. */
+  sampled?: "tracks";
   /** The first is drawn along x, the others side by side in colours. */
   axes: StudyAxis[];
   readouts: StudyReadout[];

@@ -102,6 +102,9 @@ export function columnColour(index: number, count: number): string {
   return `hsl(${265 - 165 * share} ${isDark() ? 55 : 60}% ${Math.min(isDark() ? 78 : 48, from + (to - from) * share)}%)`;
 }
 
+/** As it is called when it is hovered over. */
+export const nameOf = (run: StudyRun): string => (run.name ? verbatim(run.name) : `seed ${run.seed}`);
+
 export const values = (group: Group, readout: string): { run: StudyRun; value: number }[] =>
   group.runs.flatMap((run) => {
     const value = run.readouts[readout];

@@ -2,6 +2,8 @@
 import type { StudyPage, StudyRun, Verdict } from "./contract";
 import { h, table } from "../dom";
 import { pretty, readable } from "../numbers";
+import { lettered } from "../words";
+import type { Grid, Group } from "./groups";
 
 /** A code name with its unit: tables alone have them. */
 const withUnit = (label: string, unit: string): string => (unit ? `${label} (${pretty(unit)})` : label);
@@ -41,6 +43,21 @@ export const safe = (address: string | null): string | null =>
 
 /** A run is named by its place in the study; hovering shows the name of its folder, a hash. */
 const nameOf = (run: StudyRun): string => (run.replicate ? `replicate ${run.replicate}` : run.id);
+
+/** Of each group and read-out, where intervals are there. */
+export function medians(study: StudyPage, made: Grid): HTMLElement | null {
+  if (!study.groups.some((g) => g.median_interval)) return null;
+  const cell = (point: Group["point"], readout: string): string => {
+    const g = study.groups.find((one) => one.readout === readout && one.point.join() === point.join());
+    const [low, high] = g?.median_interval ?? [null, null];
+    return g && g.n > 0 ? `${readable(g.median)} [${readable(low)}, ${readable(high)}], n = ${g.n}` : "\u2013";
+  };
+  return table(
+    ["", ...study.readouts.map((r) => withUnit(r.meaning, r.unit))],
+    made.groups.map((g) => [h("span", {}, ...lettered(g.label)), ...study.readouts.map((r) => cell(g.point, r.name))]),
+    { caption: "Medians [95 %]" },
+  );
+}
 
 const order: StudyRun["status"][] = ["failed", "running", "pending", "done"];
 

@@ -8,7 +8,7 @@ import { leastRuns, type Shown } from "./brackets";
 import { sets } from "./discrepancy";
 import { pretty } from "../numbers";
 import { grid, seriesKey } from "./groups";
-import { claims, runs, safe } from "./lists";
+import { claims, medians, runs, safe } from "./lists";
 import { players } from "./players";
 import { scatters } from "./scatter";
 import { adhesionForces, correlation, msd } from "./statistics";
@@ -26,7 +26,7 @@ function fewRuns(study: StudyPage): HTMLElement | null {
   return h(
     "p",
     { class: "notice" },
-    `Tests need at least ${leastRuns} runs at each point. This study has n = ${most}${study.groups.some((g) => g.n < most) ? " at most" : ""}, so nothing is called significant.`,
+    `Tests need at least ${leastRuns} ${study.sampled ?? "runs"} at each point. This study has n = ${most}${study.groups.some((g) => g.n < most) ? " at most" : ""}, so nothing is called significant.`,
   );
 }
 
@@ -55,10 +55,10 @@ function show(study: StudyPage, page: HTMLElement): void {
       study.readouts.length > 0 && !study.scatter?.factors.length
         ? section(
             "readouts",
-            "Read-outs by parameter",
+            study.sampled ? "Read-outs" : "Read-outs by parameter",
             fewRuns(study),
             seriesKey(made),
-            h("p", { class: "note" }, boxesNote),
+            h("p", { class: "note" }, boxesNote(study.sampled ?? "runs")),
             h("div", { class: "boxes" }, ...boxesOfAll(study, made, comparisons)),
           )
         : null,
@@ -75,8 +75,9 @@ function show(study: StudyPage, page: HTMLElement): void {
       many ? null : part("msd", "Mean square displacement", msd(study, made)),
       part("adhesions", "Force at which adhesions ended", adhesionForces(made), seriesKey(made)),
       part("correlation", "Correlations within points", correlation(study)),
-      section("runs", "Runs", runs(study)),
-      section("provenance", "Provenance", h("pre", {}, study.provenance)),
+      part("medians", "Medians", medians(study, made)),
+      study.sampled ? null : section("runs", "Runs", runs(study)),
+      study.provenance ? section("provenance", "Provenance", h("pre", {}, study.provenance)) : null,
       section("citation", "To cite", h("p", { class: "citation" }, study.citation)),
     ];
     body.replaceChildren(...parts.filter((p): p is HTMLElement => p !== null));

@@ -19,7 +19,7 @@ export function msd(study: StudyData, made: Grid): HTMLElement | null {
   if (study.msd.every((m) => m.lag_min.length < 2))
     return h("p", {}, "The runs are too short: there are not two lags to draw a curve through.");
   return figure(
-    "Mean square displacement over runs, with standard error; the thin line has slope 1 (random walk).",
+    `Mean square displacement over ${study.sampled ?? "runs"}, with standard error; the thin line has slope 1 (random walk).`,
     (window) => (window > 760 ? 460 : 380 + 19 * study.msd.length),
     (width) => {
       const data: Json[] = study.msd.flatMap((m) => {

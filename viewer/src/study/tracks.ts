@@ -4,8 +4,8 @@ import { h, isDark, s } from "../dom";
 import { countOf, durationOf, measuredColour, measuredTracks, type MeasuredTrack } from "../measured";
 import { readable, roundStep } from "../numbers";
 import { axis, figure } from "../figure";
-import { lettered, unmarked } from "../words";
-import { inRows, multipleSide, multiplesStyle, seriesColour, type Grid, type Group } from "./groups";
+import { lettered, typeset, unmarked } from "../words";
+import { inRows, multipleSide, nameOf, multiplesStyle, seriesColour, type Grid, type Group } from "./groups";
 
 /** One line for each cell. */
 function eachCell(lines: Lines | null | undefined): { x: number[]; y: number[] }[] {
@@ -93,7 +93,7 @@ function pictures(made: Grid, sets: Measured[]): HTMLElement | null {
                 color: seriesColour(g.series),
                 opacity: 1,
               },
-              text: `seed ${r.seed}${all.length > 1 ? `, cell ${cell + 1}` : ""}`,
+              text: `${typeset(nameOf(r))}${all.length > 1 ? `, cell ${cell + 1}` : ""}`,
               hoverinfo: "text",
             })),
           )],

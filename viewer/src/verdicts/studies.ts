@@ -25,6 +25,6 @@ export function studySection(name: string, study: StudyData): HTMLElement {
       "Read-outs by parameter",
       h("div", { class: "boxes" }, ...study.readouts.map((r) => boxes(study, made, r, "significant"))),
     ),
-    h("p", { class: "note" }, boxesNote),
+    h("p", { class: "note" }, boxesNote("runs")),
   );
 }
