@@ -24,6 +24,12 @@ read_protrusions <- function(folder, cell = NULL) .cells_of(folder, "protrusions
 
 read_msd <- function(folder, cell = NULL) .cells_of(folder, "msd.csv", cell)
 
+example_folder <- function(name = c("pair", "stiffness-study")) {
+  to <- file.path(tempdir(), "matrigrate-examples", match.arg(name))
+  if (!dir.exists(to)) utils::untar(system.file("extdata", "examples.tar.gz", package = "matrigrate"), exdir = dirname(to))
+  to
+}
+
 .is_folder <- function(folder) is.character(folder) && length(folder) == 1 && !is.na(folder) && dir.exists(folder)
 
 .is_run <- function(folder) .is_folder(folder) && file.exists(file.path(folder, "run.json"))

@@ -5,8 +5,8 @@ refused <- function(words, expression) {
   message <- tryCatch({ expression; "no error" }, error = conditionMessage)
   if (!grepl(words, message, fixed = TRUE)) stop("expected '", words, "', got: ", message)
 }
-pair <- system.file("extdata", "pair", package = "matrigrate")
-study <- system.file("extdata", "stiffness-study", package = "matrigrate")
+pair <- example_folder("pair")
+study <- example_folder("stiffness-study")
 
 lines <- readLines(file.path(pair, "tracks.csv"))
 tracks <- read_tracks(pair)

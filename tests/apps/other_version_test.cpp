@@ -94,7 +94,7 @@ std::string with_later_columns(const std::string& table) {
 }
 
 TEST_F(OtherVersion, AStudyOfVersion020IsKnown) {
-  const fs::path made = fs::path(MATRIGRATE_SOURCE_DIR) / "tests/apps/written_by_0.2.0";
+  const fs::path made = MATRIGRATE_WRITTEN_BY_020;
   fs::copy(made, folder / "old", fs::copy_options::recursive);
   EXPECT_TRUE(contains(run("study status old").out, "2 runs: 2 done"));
   const Ended collected = run("study collect old");
@@ -108,8 +108,7 @@ TEST_F(OtherVersion, AStudyOfVersion020IsKnown) {
 
 /// What was made is read; nothing more is made of a reading that has gone, nor is one taken for another.
 TEST_F(OtherVersion, AStudyOfAReadingThatHasGoneIsReadButNotComputed) {
-  fs::copy(fs::path(MATRIGRATE_SOURCE_DIR) / "tests/apps/written_by_0.2.0", folder / "old",
-           fs::copy_options::recursive);
+  fs::copy(MATRIGRATE_WRITTEN_BY_020, folder / "old", fs::copy_options::recursive);
   const std::string held = file("old/scenario.resolved.toml");
   for (const char* scenario : {"old/scenario.resolved.toml", "old/runs/54d260625a6d7c23/scenario.resolved.toml",
                                "old/runs/efc7f10c11a93980/scenario.resolved.toml"})
@@ -132,8 +131,7 @@ TEST_F(OtherVersion, AStudyOfAReadingThatHasGoneIsReadButNotComputed) {
 }
 
 TEST_F(OtherVersion, AStudyThatAddsNothingKeepsTheFilesOfWhoeverWroteThem) {
-  fs::copy(fs::path(MATRIGRATE_SOURCE_DIR) / "tests/apps/written_by_0.2.0", folder / "old",
-           fs::copy_options::recursive);
+  fs::copy(MATRIGRATE_WRITTEN_BY_020, folder / "old", fs::copy_options::recursive);
   const std::string scenario = file("old/scenario.resolved.toml");
   const std::string study = file("old/study.resolved.toml");
   const Ended again = run("study run old/study.resolved.toml -o old --jobs 1");
@@ -144,8 +142,7 @@ TEST_F(OtherVersion, AStudyThatAddsNothingKeepsTheFilesOfWhoeverWroteThem) {
 }
 
 TEST_F(OtherVersion, AMixedStudySaysSoWhereItsStatusIsAsked) {
-  fs::copy(fs::path(MATRIGRATE_SOURCE_DIR) / "tests/apps/written_by_0.2.0", folder / "old",
-           fs::copy_options::recursive);
+  fs::copy(MATRIGRATE_WRITTEN_BY_020, folder / "old", fs::copy_options::recursive);
   EXPECT_FALSE(contains(run("study status old").out, "builds of matrigrate"));
   fs::remove_all(folder / "old/runs/54d260625a6d7c23");
   ASSERT_EQ(run("study run old/study.resolved.toml --jobs 1").code, 0);

@@ -159,17 +159,16 @@ for (key in c("name", "unit", "meaning")) {
   values <- sub("^ *\"[a-z]+\": \"(.*)\",$", "\\1", grep(paste0("^ *\"", key, "\": "), json, value = TRUE))
   if (!identical(readouts()[[key]], values)) stop("R/R/readouts.R differs from docs/readouts.json: ", setdiff(values, readouts()[[key]])[1])
 }
-own <- function(...) system.file("extdata", ..., package = "matrigrate")
 without_nucleus <- function(names) names[!grepl("^nucleus_", names)]
 for (table in c("tracks.csv", "summary.csv", "protrusions.csv", "msd.csv", "group.csv")) {
-  stopifnot(identical(names(read_run(own("pair"), table)), without_nucleus(names(read_run(file.path(runs, "pair"), table)))))
+  stopifnot(identical(names(read_run(example_folder("pair"), table)), without_nucleus(names(read_run(file.path(runs, "pair"), table)))))
 }
 for (table in c("results.csv", "groups.csv", "statistics.csv", "msd.csv")) {
-  stopifnot(identical(names(read_results(own("stiffness-study"), table)), names(read_results(file.path(runs, "study"), table))))
+  stopifnot(identical(names(read_results(example_folder("stiffness-study"), table)), names(read_results(file.path(runs, "study"), table))))
 }
 sourced <- new.env()
 source(file.path(source_folder, "R", "matrigrate.R"), local = sourced)
-stopifnot(identical(ls(sourced), sort(getNamespaceExports("matrigrate"))), identical(sourced$read_tracks(own("pair")), read_tracks(own("pair"))))
+stopifnot(identical(ls(sourced), sort(getNamespaceExports("matrigrate"))), identical(sourced$read_tracks(example_folder("pair")), read_tracks(example_folder("pair"))))
 
 for (test in list.files(file.path(source_folder, "R", "tests"), full.names = TRUE)) {
   said <- tempfile("said")

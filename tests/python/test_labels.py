@@ -6,6 +6,7 @@ import pathlib
 import re
 import shutil
 import subprocess
+import tarfile
 import unittest
 
 import common
@@ -22,7 +23,9 @@ from matrigrate._emulator import Prior  # noqa: E402
 from matrigrate._measurement import Points  # noqa: E402
 
 code = re.compile(r"[a-z]{2,}_[a-z0-9]|[a-z0-9]_[a-z]{2,}|\bum\b|\[[^\]]*\]")
-study = common.source / "R" / "inst" / "extdata" / "stiffness-study"
+examples = common.tempfile.TemporaryDirectory()
+tarfile.open(common.source / "R" / "inst" / "extdata" / "examples.tar.gz").extractall(examples.name)
+study = pathlib.Path(examples.name) / "stiffness-study"
 
 
 def plain(text):

@@ -18,11 +18,11 @@ budget = {
     "src/study": 9154,
     "apps": 5771,
     "python": 6862,
-    "R": 714,
+    "R": 720,
     "web": 1247,
     "viewer/src": 10673,
 }
-most_files = 1660
+most_files = 1558
 endings = (".cpp", ".hpp", ".h", ".py", ".ts", ".css", ".mjs", ".R")
 
 
