@@ -6,7 +6,7 @@
 
 /// SIMD vectors of a fixed width (the vector extensions of GCC and clang) with load, store and fill. Explicit packs
 /// keep the compiler from vectorising the wrong loop. Functions that use them are marked MATRIGRATE_SIMD. Test:
-/// tests/unit/base/pack_test.cpp
+/// tests/unit/base/base_test.cpp
 namespace matrigrate {
 
 inline constexpr std::size_t pack_bytes = 32; // a register of AVX2, two of SSE2 or NEON

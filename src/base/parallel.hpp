@@ -7,7 +7,7 @@
 
 /// Loops that give the same bits for any number of threads: a loop body writes only to its own index, and a sum is
 /// taken over blocks whose bounds do not depend on the threads, then over the blocks in order. Test:
-/// tests/unit/base/parallel_test.cpp
+/// tests/unit/base/base_test.cpp
 namespace matrigrate {
 
 inline constexpr std::size_t parallel_block = 512;

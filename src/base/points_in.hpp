@@ -8,7 +8,7 @@
 #include <vector>
 
 /// Fast search for points near a place: a vectorised bounding-box test that skips whole blocks of points. Test:
-/// tests/unit/base/points_in_test.cpp
+/// tests/unit/base/base_test.cpp
 namespace matrigrate {
 
 /// A rectangle along the axes [um].

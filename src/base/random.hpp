@@ -4,7 +4,7 @@
 
 /// Counter-based random numbers (Salmon et al. 2011, Philox4x32-10): a draw is a pure function of seed, purpose,
 /// cell, step and entity. It depends neither on the order of draws, nor on threads, nor on restarts. Test:
-/// tests/unit/base/random_test.cpp
+/// tests/unit/base/base_test.cpp
 namespace matrigrate {
 
 /// Purpose of a draw, below 256; each has its own stream.

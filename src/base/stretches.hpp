@@ -8,7 +8,7 @@
 namespace matrigrate {
 
 /// Calls body(begin, end) for every stretch of indices whose flag is 0, in order: loops without a branch inside.
-/// Test: tests/unit/base/stretches_test.cpp
+/// Test: tests/unit/base/base_test.cpp
 template <class Body>
 void each_unflagged_stretch(std::span<const std::uint8_t> flags, const Body& body) {
   for (auto begin = std::ranges::find(flags, 0), end = begin; begin != flags.end();

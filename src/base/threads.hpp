@@ -4,7 +4,7 @@
 #include <memory>
 #include <string>
 
-/// The number of threads that the loops of base/parallel.hpp use. Test: tests/unit/base/parallel_test.cpp
+/// The number of threads that the loops of base/parallel.hpp use. Test: tests/unit/base/base_test.cpp
 namespace matrigrate {
 
 /// The number of threads that this process may use.

@@ -2,7 +2,7 @@
 
 #include <string>
 
-/// Human-readable durations. Test: tests/unit/base/time_text_test.cpp
+/// Human-readable durations. Test: tests/unit/base/base_test.cpp
 namespace matrigrate {
 
 /// A simulated time: "0 s", "45 min", "2 h 30 min".

@@ -7,7 +7,7 @@
 #include <vector>
 
 /// Which set of closures the parameters of a run belong to. Versions had other sets as their defaults; a file that
-/// names some values of one and leaves out others mixes them. Test: tests/unit/parameters/closures_test.cpp
+/// names some values of one and leaves out others mixes them. Test: tests/unit/parameters/parameters_test.cpp
 namespace matrigrate {
 
 /// A parameter that the sets differ in.

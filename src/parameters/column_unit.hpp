@@ -2,7 +2,7 @@
 
 #include <string_view>
 
-/// Units in the names of columns. Test: tests/unit/parameters/column_unit_test.cpp
+/// Units in the names of columns. Test: tests/unit/parameters/parameters_test.cpp
 namespace matrigrate::units {
 
 /// What the numbers of a column are multiplied by to be in the wanted unit; 1 if its name states none. A name states a

@@ -10,7 +10,7 @@
 #include <vector>
 
 /// Faults while files are read, at a cost that is linear in their number. Test:
-/// tests/unit/parameters/fault_list_test.cpp
+/// tests/unit/parameters/parameters_test.cpp
 namespace matrigrate {
 
 /// Notes each fault once. The first 200 by place are kept, the others counted.

@@ -6,7 +6,7 @@
 #include <string_view>
 
 /// Values judged one by one, for Python, with the words of the reader. Rules that join parameters are not tried.
-/// Test: tests/unit/parameters/judge_test.cpp
+/// Test: tests/unit/parameters/parameters_test.cpp
 namespace matrigrate {
 
 struct Judged {

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-/// "Did you mean": the name that somebody most likely meant to type. Test: tests/unit/parameters/nearest_test.cpp
+/// "Did you mean": the name that somebody most likely meant to type. Test: tests/unit/parameters/parameters_test.cpp
 namespace matrigrate {
 
 /// Least number of characters inserted, removed, replaced or swapped with their neighbour that turns a into b;

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-/// [[cells]] of a scenario: where several cells start. Test: tests/unit/parameters/read_cells_test.cpp
+/// [[cells]] of a scenario: where several cells start. Test: tests/unit/parameters/parameters_test.cpp
 namespace matrigrate {
 
 /// What stands at [[cells]].

@@ -19,7 +19,7 @@
 #include <string_view>
 #include <vector>
 
-/// The record of a run, run.json. Test: tests/unit/run/run_record_test.cpp, tests/apps/run_test.cpp
+/// The record of a run, run.json. Test: tests/unit/run/run_test.cpp, tests/apps/run_test.cpp
 namespace matrigrate::run {
 
 inline constexpr std::size_t max_record = std::size_t{64} << 20U; ///< bytes of run.json that are read

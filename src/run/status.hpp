@@ -4,7 +4,7 @@
 #include <string_view>
 
 /// How a run stands, and how one ended. Test:
-/// tests/unit/run/run_record_test.cpp
+/// tests/unit/run/run_test.cpp
 namespace matrigrate::run {
 
 /// What "status" in run.json says.

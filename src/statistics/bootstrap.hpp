@@ -8,7 +8,7 @@
 #include <vector>
 
 /// The bootstrap (Efron 1979, Ann Stat 7: 1): how much an estimate varies if the sample is drawn again from itself.
-/// Draws are counter-based, so that intervals are the same each time. Test: tests/unit/statistics/bootstrap_test.cpp
+/// Draws are counter-based, so that intervals are the same each time. Test: tests/unit/statistics/statistics_test.cpp
 namespace matrigrate::statistics {
 
 /// Draws that an interval is made of.

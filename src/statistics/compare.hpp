@@ -6,7 +6,7 @@
 
 /// Whether two independent samples differ. Distributions come from Boost.Math. A test that is not defined (a sample of
 /// fewer than two values, no spread in either) has NaN for all that cannot be told.
-/// Test: tests/unit/statistics/compare_test.cpp
+/// Test: tests/unit/statistics/statistics_test.cpp
 namespace matrigrate::statistics {
 
 /// Outcome of a two-sided test.

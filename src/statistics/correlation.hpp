@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <vector>
 
-/// How two quantities go together. Test: tests/unit/statistics/correlation_test.cpp
+/// How two quantities go together. Test: tests/unit/statistics/statistics_test.cpp
 namespace matrigrate::statistics {
 
 /// Pearson's r of those pairs in which both values are finite.

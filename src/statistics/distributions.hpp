@@ -3,7 +3,7 @@
 #include <limits>
 
 /// What the tests need of distributions, from Boost.Math; NaN wherever an argument is outside of their domain.
-/// Test: tests/unit/statistics/compare_test.cpp
+/// Test: tests/unit/statistics/statistics_test.cpp
 namespace matrigrate::statistics {
 
 inline constexpr double undefined = std::numeric_limits<double>::quiet_NaN();

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-/// Whether a sample follows a distribution. Test: tests/unit/base/random_test.cpp
+/// Whether a sample follows a distribution. Test: tests/unit/base/base_test.cpp
 namespace matrigrate {
 
 /// Kolmogorov-Smirnov statistic D sqrt(n) of a sample against the distribution function `cdf`. Its critical value at

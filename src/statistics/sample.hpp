@@ -6,7 +6,7 @@
 
 /// Samples and what describes them. What is not defined is NaN, never an error: a mean of nothing, a standard deviation
 /// of one value. Values that are not finite are for the caller to leave out (see finite()).
-/// Test: tests/unit/statistics/sample_test.cpp
+/// Test: tests/unit/statistics/statistics_test.cpp
 namespace matrigrate::statistics {
 
 using Values = std::span<const double>;

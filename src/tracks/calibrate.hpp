@@ -6,7 +6,7 @@
 
 /// From the units of a file to um and s. Nothing is guessed: what neither the file nor the caller states is a fault.
 /// What the caller states counts; if the file states another, a note says so. Test:
-/// tests/unit/tracks/calibrate_test.cpp
+/// tests/unit/tracks/reading_test.cpp
 namespace matrigrate::tracks {
 
 /// What the positions of a file were multiplied with.

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-/// The motion that all tracks have in common. Test: tests/unit/tracks/drift_test.cpp
+/// The motion that all tracks have in common. Test: tests/unit/tracks/readouts_test.cpp
 namespace matrigrate::tracks {
 
 inline constexpr std::size_t least_for_drift = 5; ///< tracks that go on over an interval

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-/// What is found while a file of tracks is read. Test: tests/unit/tracks/read_tracks_test.cpp
+/// What is found while a file of tracks is read. Test: tests/unit/tracks/reading_test.cpp
 namespace matrigrate::tracks {
 
 /// Faults and notes of one file. Of faults of one kind the first is kept, the others are counted; so is what is beyond

@@ -2,7 +2,7 @@
 
 #include "tracks/read_tracks.hpp"
 
-/// From positions at times to tracks at one interval. Test: tests/unit/tracks/grid_test.cpp
+/// From positions at times to tracks at one interval. Test: tests/unit/tracks/reading_test.cpp
 namespace matrigrate::tracks {
 
 /// @param spots  calibrated: um and s

@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-/// The header of a table: which of its names are known, and for what. Test: tests/unit/tracks/table_test.cpp
+/// The header of a table: which of its names are known, and for what. Test: tests/unit/tracks/text_test.cpp
 namespace matrigrate::tracks {
 
 using Titles = std::vector<ColumnTitle>;

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-/// The columns of the tables that tracking programs write. Test: tests/unit/tracks/options_test.cpp
+/// The columns of the tables that tracking programs write. Test: tests/unit/tracks/reading_test.cpp
 namespace matrigrate::tracks {
 
 /// Names of the columns of a program, in lower case and without units (plain_name); the first that is there counts. A

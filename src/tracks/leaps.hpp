@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-/// Steps that no cell makes: of tracks that go on in another movie. Test: tests/unit/tracks/leaps_test.cpp
+/// Steps that no cell makes: of tracks that go on in another movie. Test: tests/unit/tracks/reading_test.cpp
 namespace matrigrate::tracks {
 
 /// From one position of a track to the next one that is there.

@@ -5,7 +5,7 @@
 #include <optional>
 #include <string_view>
 
-/// How the numbers and the times of a table are written. Test: tests/unit/tracks/numbers_test.cpp
+/// How the numbers and the times of a table are written. Test: tests/unit/tracks/text_test.cpp
 namespace matrigrate::tracks {
 
 struct NumberSigns {

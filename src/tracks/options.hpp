@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-/// What a caller says of a file of measured tracks. Test: tests/unit/tracks/options_test.cpp
+/// What a caller says of a file of measured tracks. Test: tests/unit/tracks/reading_test.cpp
 namespace matrigrate::tracks {
 
 /// What a column may be named for.

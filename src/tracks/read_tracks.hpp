@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-/// Measured tracks from the files of tracking programs. Test: tests/unit/tracks/read_tracks_test.cpp
+/// Measured tracks from the files of tracking programs. Test: tests/unit/tracks/reading_test.cpp
 namespace matrigrate::tracks {
 
 /// Positions of one cell at multiples of an interval, some of them missing.

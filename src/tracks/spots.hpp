@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-/// Positions as a file has them, in its own units. Test: tests/unit/tracks/read_tracks_test.cpp
+/// Positions as a file has them, in its own units. Test: tests/unit/tracks/reading_test.cpp
 namespace matrigrate::tracks {
 
 struct Spot {

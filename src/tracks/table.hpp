@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-/// The table in a text: its separator, its header, which column holds what. Test: tests/unit/tracks/table_test.cpp
+/// The table in a text: its separator, its header, which column holds what. Test: tests/unit/tracks/text_test.cpp
 namespace matrigrate::tracks {
 
 struct Table {

@@ -7,7 +7,7 @@
 
 #include <span>
 
-/// What the matrix should do, on paper. Test: tests/unit/validation/closed_forms_test.cpp
+/// What the matrix should do, on paper. Test: tests/unit/validation/validation_test.cpp
 namespace matrigrate::validation {
 
 /// Displacement at `x` by a force at the centre of a disc clamped at radius a, plane strain [um]. Kelvin's solution

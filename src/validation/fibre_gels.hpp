@@ -5,7 +5,7 @@
 #include <vector>
 
 /// Uniaxial stretch of fibrillar gels, quasi-static: on paper, and as a specimen.
-/// Test: tests/unit/validation/fibre_gels_test.cpp
+/// Test: tests/unit/validation/validation_test.cpp
 namespace matrigrate::validation {
 
 inline constexpr double largest_strain = 0.16; ///< of the specimens and the lattice

@@ -7,7 +7,7 @@
 
 #include <span>
 
-/// Contraction of the cortex by actomyosin, Heck et al. 2020, Eq. (6). Test: tests/unit/cell/actomyosin_test.cpp
+/// Contraction of the cortex by actomyosin, Heck et al. 2020, Eq. (6). Test: tests/unit/cell/cell_test.cpp
 namespace matrigrate {
 
 /// Curvature factor f_curv = exp(-q^2) with q = (kappa - kappa_0)/kappa_w (MODEL.md, I14).

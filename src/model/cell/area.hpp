@@ -7,7 +7,7 @@
 #include <span>
 
 /// Weak conservation of the cell's area, Heck et al. 2020, Eq. (1), term F^A (MODEL.md, I11).
-/// Test: tests/unit/cell/area_test.cpp
+/// Test: tests/unit/cell/cell_test.cpp
 namespace matrigrate {
 
 /// k_A (A_0 - A)^2 / (2 l_0) while A < A_0, else 0 [nN um]: a pressure that gives each particle of the unstretched ring

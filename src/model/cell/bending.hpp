@@ -8,7 +8,7 @@
 #include <span>
 
 /// Weak bending resistance of the cortex, Heck et al. 2020, Eq. (1), term F^b (MODEL.md, I11).
-/// Test: tests/unit/cell/bending_test.cpp
+/// Test: tests/unit/cell/cell_test.cpp
 namespace matrigrate {
 
 /// Angle by which the ring turns to the left at particle i [rad].

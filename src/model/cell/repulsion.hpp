@@ -7,7 +7,7 @@
 #include <span>
 
 /// Repulsion of the cortex from itself, Heck et al. 2020, Eq. (1), term F^rep: a particle closer than d_rep to a
-/// segment whose ends are at least three particles away along the ring. Test: tests/unit/cell/repulsion_test.cpp
+/// segment whose ends are at least three particles away along the ring. Test: tests/unit/cell/cell_test.cpp
 namespace matrigrate {
 
 /// k_rep (d_rep - d)^1.5 for d < d_rep, Hertz-like; closer than d_w = d_rep/2 also k_rep d_w^1.5 (d_w/d - 1), which has

@@ -7,7 +7,7 @@
 #include <span>
 
 /// Memory of the cortex: stretched segments do not spring out again once they have shortened (Heck et al. 2020, section
-/// "Protrusion retraction"). Test: tests/unit/cell/rest_length_test.cpp
+/// "Protrusion retraction"). Test: tests/unit/cell/cell_test.cpp
 namespace matrigrate {
 
 /// Rest length after a step: l where l_0,init <= l < l_0, else l_0 [um].

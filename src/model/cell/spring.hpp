@@ -7,7 +7,7 @@
 #include <span>
 
 /// Springs and dashpots of the cortex, Heck et al. 2020, Eq. (1), terms F^s and F^d. Test:
-/// tests/unit/cell/spring_test.cpp
+/// tests/unit/cell/cell_test.cpp
 namespace matrigrate {
 
 /// Tension of a spring, both ways: k (l - l_0) [nN].

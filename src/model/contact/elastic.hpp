@@ -8,7 +8,7 @@
 #include <span>
 
 /// Elastic contact of cell and solid matrix, Heck et al. 2020, Eq. (1), term F^sigma (MODEL.md, I13).
-/// Test: tests/unit/contact/elastic_test.cpp
+/// Test: tests/unit/contact/contact_test.cpp
 namespace matrigrate {
 
 /// Contact pressure K (1 - d/d_c) for d < d_c, else 0 [kPa].   @param distance  outside positive [um]

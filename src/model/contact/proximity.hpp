@@ -9,7 +9,7 @@
 #include <span>
 #include <vector>
 
-/// Which solid particles of the matrix are near the cell. Test: tests/unit/contact/proximity_test.cpp
+/// Which solid particles of the matrix are near the cell. Test: tests/unit/contact/contact_test.cpp
 namespace matrigrate {
 
 /// A solid particle (f_degr > 0) and the segment of the cortex that is closest to it.

@@ -8,7 +8,7 @@
 #include <span>
 
 /// Viscous coupling of cell and matrix, Heck et al. 2020, Eqs. (1) and (2), Gamma_ik (MODEL.md, I12).
-/// Test: tests/unit/contact/viscous_test.cpp
+/// Test: tests/unit/contact/contact_test.cpp
 namespace matrigrate {
 
 /// Adds the drag between the cortex and the matrix: a segment of current length l carries the volume l dp, sampled at

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-/// Bonds of the lattice that fibres can lie on. Test: tests/unit/ecm/bonds_test.cpp
+/// Bonds of the lattice that fibres can lie on. Test: tests/unit/ecm/ecm_test.cpp
 namespace matrigrate {
 
 /// Directions of the bonds of a particle to its reference neighbours (distance below 2h): distinct angles in [0, 180)

@@ -7,7 +7,7 @@
 #include <cstddef>
 
 /// Fluidization of the matrix through f_degr (Heck et al. 2020, section "Degradation"; MODEL.md, I6).
-/// Test: tests/unit/ecm/degradation_test.cpp
+/// Test: tests/unit/ecm/ecm_test.cpp
 namespace matrigrate {
 
 /// f_degr after dt of degradation: max(0, f - rate dt). It never recovers.

@@ -12,7 +12,7 @@ namespace matrigrate {
 
 /// Tiles of the reference lattice, eight by eight particles, whose drag coefficients are refreshed together: refreshing
 /// particle by particle would touch nearly all coefficients in every step (MODEL.md, I30).
-/// Test: tests/unit/ecm/drag_cache_test.cpp
+/// Test: tests/unit/ecm/ecm_test.cpp
 class DragTiles {
 public:
   /// @param X  reference positions [um]   @param spacing  of the lattice [um]
@@ -29,7 +29,7 @@ private:
 };
 
 /// Data kept between steps for the drag of the matrix. It is derived from the state alone: a new cache gives the same
-/// bits. Test: tests/unit/ecm/drag_cache_test.cpp
+/// bits. Test: tests/unit/ecm/ecm_test.cpp
 class DragCache {
 public:
   DragCache(const EcmState& ecm, const EcmParameters& p) : m_tiles(ecm.X, p.particle_spacing) {}

@@ -13,7 +13,7 @@
 namespace matrigrate {
 
 /// The reference configuration of the solid (total-Lagrangian SPH): permanent neighbours, kernel values, and the
-/// gradient correction (MODEL.md, I4). Derived from X and f_degr alone. Test: tests/unit/ecm/reference_test.cpp
+/// gradient correction (MODEL.md, I4). Derived from X and f_degr alone. Test: tests/unit/ecm/ecm_test.cpp
 ///
 /// Support tensor     A_i = sum_j V_0 f_j (X_j - X_i) (x) grad_0 W_ij      (about the identity in intact matrix)
 /// Correction         B_i = A_i^-1, eigenvalues of A_i below support_floor raised to it

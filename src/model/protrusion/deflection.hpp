@@ -8,7 +8,7 @@
 #include <span>
 
 /// Growth turns towards degraded matrix (Heck et al. 2020, section "Protrusion growth"; MODEL.md, I17).
-/// Test: tests/unit/protrusion/deflection_test.cpp
+/// Test: tests/unit/protrusion/protrusion_test.cpp
 namespace matrigrate {
 
 /// Angular speed of d_prot: r_defl times the mean, with kernel weights W(|r|), of (1 - f_degr) sin(angle from d_prot to

@@ -10,7 +10,7 @@
 #include <vector>
 
 /// Growth of a protrusion (Heck et al. 2020, section "Protrusion growth"; MODEL.md, I16).
-/// Test: tests/unit/protrusion/growth_test.cpp
+/// Test: tests/unit/protrusion/protrusion_test.cpp
 namespace matrigrate {
 
 /// The particles that push: the centre and tip_half_width to either side.

@@ -7,7 +7,7 @@
 #include <span>
 
 /// Initiation of protrusions (Heck et al. 2020, section "Protrusion initiation"). Test:
-/// tests/unit/protrusion/initiation_test.cpp, tests/unit/protrusion/propensity_test.cpp
+/// tests/unit/protrusion/initiation_test.cpp, tests/unit/protrusion/protrusion_test.cpp
 namespace matrigrate {
 
 /// Whether a protrusion could be centred on particle i: none of its particles belongs to one.

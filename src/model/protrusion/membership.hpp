@@ -7,7 +7,7 @@
 #include <vector>
 
 /// Which part of the cortex belongs to a protrusion, and what its phase makes of it (Heck et al. 2020, Fig 3).
-/// Test: tests/unit/protrusion/membership_test.cpp
+/// Test: tests/unit/protrusion/protrusion_test.cpp
 namespace matrigrate {
 
 inline constexpr int no_protrusion = -1;

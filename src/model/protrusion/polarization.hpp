@@ -7,7 +7,7 @@
 #include <optional>
 
 /// Polarization of the cell (Heck et al. 2020, section "Polarization"; MODEL.md, I21).
-/// Test: tests/unit/protrusion/polarization_test.cpp
+/// Test: tests/unit/protrusion/protrusion_test.cpp
 namespace matrigrate {
 
 /// Angle of the mean direction from the centre of mass to the mature adhesions, or none without them [rad].

@@ -5,7 +5,7 @@
 #include <limits>
 
 /// The adaptive integrator: steps of run.time_step, halved where a particle would move too far (MODEL.md, I29).
-/// Test: tests/unit/simulation/adaptive_test.cpp, tests/physics/march_test.cpp
+/// Test: tests/unit/simulation/step_limits_test.cpp, tests/physics/march_test.cpp
 namespace matrigrate {
 
 /// The longest step to try from here [s]. It is stable, s.t is a multiple of it (so that the run reaches all multiples

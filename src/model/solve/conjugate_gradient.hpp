@@ -8,7 +8,7 @@ namespace matrigrate {
 
 /// Conjugate gradients with the 2x2 diagonal blocks as preconditioner (Hestenes and Stiefel 1952).
 /// Simple on purpose: the reference solver that faster ones are tested against. Test:
-/// tests/unit/solve/conjugate_gradient_test.cpp
+/// tests/unit/solve/solve_test.cpp
 class ConjugateGradient final : public DragSolver {
 public:
   /// @param tolerance       relative residual at which to stop [-], > 0

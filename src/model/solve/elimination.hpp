@@ -17,7 +17,7 @@ namespace matrigrate {
 ///   S = A_mm - A_mc A_cc^-1 A_cm,   S v_m = F_m - A_mc A_cc^-1 F_c,   v_c = A_cc^-1 (F_c - A_cm v_m).
 /// S differs from the pair drag of the matrix at few nodes only, by at most the diagonal of the terms there. So the
 /// stiffness of the cell does not degrade the conditioning of S. Terms over very many nodes are treated as rank-one
-/// updates of A_cc (Sherman and Morrison 1950). Test: tests/unit/solve/elimination_test.cpp
+/// updates of A_cc (Sherman and Morrison 1950). Test: tests/unit/solve/solve_test.cpp
 class Elimination {
 public:
   /// Sorts the terms of A and factorises A_cc.

@@ -10,7 +10,7 @@ namespace matrigrate {
 
 /// The prolongation matrix P of a grid with fixed nodes, in blocks: eight consecutive nodes and their grid points are
 /// processed together. Weights are rounded to multiples of 2^-20, so that blocks of a lattice share them.
-/// Test: tests/unit/solve/interpolation_test.cpp
+/// Test: tests/unit/solve/solve_test.cpp
 class Interpolation {
 public:
   Interpolation() = default;

@@ -16,7 +16,7 @@ namespace matrigrate {
 /// is resisted only by its own drag. Its effect on smooth fields of the matrix is
 ///   E = diag(g_k) - sum over a of g_a g_a^T / T_a,   g_k = sum_a g_ka,   T_a = own drag + sum_k g_ka.
 /// E is positive semidefinite. On a grid it is P^T E P.
-/// Test: tests/unit/solve/lumped_links_test.cpp
+/// Test: tests/unit/solve/solve_test.cpp
 class LumpedLinks {
 public:
   /// @param own  drag of the nodes of the cell [nN s/um]

@@ -39,7 +39,7 @@ private:
 
 /// A symmetric sparse matrix G without diagonal, in single precision, in blocks of eight rows: products use contiguous
 /// SIMD loads. A block omits distances at which all its coefficients are zero, so sums have the same bits for any
-/// larger pattern. Test: tests/unit/solve/row_blocks_test.cpp
+/// larger pattern. Test: tests/unit/solve/solve_test.cpp
 class RowBlocks {
 public:
   static constexpr std::size_t lanes = Field::lanes;

@@ -12,7 +12,7 @@ namespace matrigrate {
 
 /// Interpolation weights of a point of the solid: kernel times f_degr and ligand, normalised to sum 1. A force at the
 /// point is distributed to the particles with these weights, and the point moves with the weighted mean velocity. Test:
-/// tests/unit/sph/interpolate_test.cpp
+/// tests/unit/sph/sph_test.cpp
 struct PointWeights {
   std::vector<std::uint32_t> index;
   std::vector<double> weight;

@@ -7,7 +7,7 @@
 namespace matrigrate {
 
 /// W_slope(r)/W_slope(0) of the kernel below: (1 - q/2)^3, and 0 beyond its support. For any number type and without a
-/// branch, so that loops over distances can be vectorised. Test: tests/unit/sph/kernel_test.cpp
+/// branch, so that loops over distances can be vectorised. Test: tests/unit/sph/sph_test.cpp
 /// @param r  distance [um]   @param per_support  1/(2h) [1/um]
 template <class Real>
 [[gnu::always_inline]] inline Real slope_shape(const Real& r, const Real& per_support) {
@@ -19,7 +19,7 @@ template <class Real>
 
 /// Wendland C2 kernel of the plane (Wendland 1995; MODEL.md, I2):
 ///   W(r) = 7/(4 pi h^2) (1 - q/2)^4 (2q + 1),  q = r/h < 2, and 0 beyond.
-/// Its gradient at particle i is grad_i W_ij = W_slope(|x_ij|) x_ij. Test: tests/unit/sph/kernel_test.cpp
+/// Its gradient at particle i is grad_i W_ij = W_slope(|x_ij|) x_ij. Test: tests/unit/sph/sph_test.cpp
 class Kernel {
 public:
   /// @param h  smoothing length [um], > 0

@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-/// Neighbour lists of moving particles. Test: tests/unit/sph/neighbours_test.cpp
+/// Neighbour lists of moving particles. Test: tests/unit/sph/sph_test.cpp
 namespace matrigrate {
 
 /// All pairs within the distance `reach`, by a cell list. Rows are sorted, so the result depends on the positions

@@ -9,7 +9,7 @@
 
 /// The nodes of the drag system A v = F: first the particles of the matrix, node i being particle i; then the particles
 /// of each cell, in the order of State::cells: those of its cortex and those of its nucleus. Each node has two degrees
-/// of freedom. Only this header knows the numbering. Test: tests/unit/state/dof_test.cpp
+/// of freedom. Only this header knows the numbering. Test: tests/unit/state/state_test.cpp
 namespace matrigrate {
 
 /// Number of nodes.

@@ -6,7 +6,7 @@
 #include <vector>
 
 /// The bodies that a simulation can start from: particles on a lattice, at rest and free of stress.
-/// Test: tests/unit/state/initial_test.cpp
+/// Test: tests/unit/state/state_test.cpp
 namespace matrigrate {
 
 /// Area of a particle: dp^2 on the square lattice, sqrt(3)/2 dp^2 on the hexagonal one [um^2].

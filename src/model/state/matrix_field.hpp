@@ -12,7 +12,7 @@
 /// Properties of the matrix that a scenario gives as functions of the reference position (MODEL.md, I32). A new one is
 /// a member of EcmState and a row of the table below; a parameter (parameters.hpp, schema.cpp); and the law that reads
 /// it. Start, checkpoints, frames, files and pages take it from the table.
-/// Test: tests/unit/state/initial_test.cpp
+/// Test: tests/unit/state/state_test.cpp
 namespace matrigrate {
 
 /// A function of the reference position [um]; empty: the property is uniform.

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-/// Values as colours, and the bar that explains them. Test: tests/unit/draw/colour_bar_test.cpp
+/// Values as colours, and the bar that explains them. Test: tests/unit/draw/draw_test.cpp
 namespace matrigrate::draw {
 
 inline constexpr int colour_levels = 33;         ///< steps of the colours

@@ -7,7 +7,7 @@
 #include <vector>
 
 /// Pictures as self-contained SVG text: light background, colour-blind-safe colours, dark text. Nothing here knows
-/// physics. Equal input gives equal bytes in every locale. Test: tests/unit/draw/particle_picture_test.cpp
+/// physics. Equal input gives equal bytes in every locale. Test: tests/unit/draw/draw_test.cpp
 namespace matrigrate::draw {
 
 /// A finished picture.

@@ -6,7 +6,7 @@
 #include <vector>
 
 /// The few pieces of SVG that the figures are made of. Lengths are pixels, x to the right, y down. No element carries
-/// an id, so that many pictures can stand in one page. Test: tests/unit/draw/svg_test.cpp
+/// an id, so that many pictures can stand in one page. Test: tests/unit/draw/draw_test.cpp
 namespace matrigrate::draw::svg {
 
 inline constexpr std::string_view dark = "#1f2328"; ///< text, frames

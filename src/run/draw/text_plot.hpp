@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-/// Curves as text, for terminals. Test: tests/unit/draw/text_plot_test.cpp
+/// Curves as text, for terminals. Test: tests/unit/draw/draw_test.cpp
 namespace matrigrate::draw {
 
 /// Two curves over the same abscissas.

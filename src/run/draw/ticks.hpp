@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-/// Round numbers for colour bars and scale bars. Test: tests/unit/draw/ticks_test.cpp
+/// Round numbers for colour bars and scale bars. Test: tests/unit/draw/draw_test.cpp
 namespace matrigrate::draw {
 
 struct Tick {

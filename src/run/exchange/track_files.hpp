@@ -5,7 +5,7 @@
 #include <span>
 #include <string>
 
-/// The paths of the cells for programs that analyse tracks. Test: tests/unit/exchange/track_files_test.cpp,
+/// The paths of the cells for programs that analyse tracks. Test: tests/unit/exchange/tracks_test.cpp,
 /// tests/readers/tracks_reads.py
 namespace matrigrate::exchange {
 

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-/// How the cell spreads and in which direction. Test: tests/unit/observe/displacement_statistics_test.cpp
+/// How the cell spreads and in which direction. Test: tests/unit/observe/motion_test.cpp
 namespace matrigrate {
 
 /// Mean square displacement at one lag.

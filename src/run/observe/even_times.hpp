@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-/// Times at one interval, which some formats of other programs suppose. Test: tests/unit/observe/even_times_test.cpp
+/// Times at one interval, which some formats of other programs suppose. Test: tests/unit/observe/motion_test.cpp
 namespace matrigrate::observe {
 
 /// How far rising times are evenly spaced.

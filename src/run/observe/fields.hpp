@@ -6,7 +6,7 @@
 
 #include <vector>
 
-/// Fields of the matrix to look at, one value a particle; NaN in the fluid. Test: tests/unit/observe/fields_test.cpp
+/// Fields of the matrix to look at, one value a particle; NaN in the fluid. Test: tests/unit/observe/frame_test.cpp
 namespace matrigrate {
 
 /// |u| [um].

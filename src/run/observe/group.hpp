@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <span>
 
-/// What several cells do together, from time to time. Read-only. Test: tests/unit/observe/group_test.cpp
+/// What several cells do together, from time to time. Read-only. Test: tests/unit/observe/motion_test.cpp
 namespace matrigrate {
 
 /// Displacements of the cells are taken over this time, so that the to and fro of protrusions does not count as

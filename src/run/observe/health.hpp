@@ -9,7 +9,7 @@
 #include <optional>
 #include <string>
 
-/// Signs that a computation goes well or badly. Read-only. Test: tests/unit/observe/health_test.cpp
+/// Signs that a computation goes well or badly. Read-only. Test: tests/unit/observe/frame_test.cpp
 namespace matrigrate {
 
 struct HealthRow {

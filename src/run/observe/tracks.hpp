@@ -12,7 +12,7 @@
 #include <vector>
 
 /// Where a cell is and what its protrusions do, from time to time. Read-only.
-/// Test: tests/unit/observe/tracks_test.cpp
+/// Test: tests/unit/observe/motion_test.cpp
 namespace matrigrate {
 
 /// The nucleus of a cell at one time.

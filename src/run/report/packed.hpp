@@ -7,7 +7,7 @@
 #include <functional>
 
 /// Numbers of many frames in few characters, as viewer/src/unpack.ts describes it. Test:
-/// tests/unit/report/packed_test.cpp
+/// tests/unit/report/report_test.cpp
 namespace matrigrate::report {
 
 /// How numbers are stored: value = offset + scale q.

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-/// Plots as data: a page of the viewer draws them. Test: tests/unit/report/verdict_page_test.cpp
+/// Plots as data: a page of the viewer draws them. Test: tests/unit/report/report_test.cpp
 namespace matrigrate::report {
 
 enum class Mark { line, dashed, points };

@@ -11,7 +11,7 @@
 #include <vector>
 
 /// The report on statements that hold or do not: verification cases, claims of the paper. Like the report of a run, it
-/// is made of a template of viewer/ and of data. Test: tests/unit/report/verdict_page_test.cpp
+/// is made of a template of viewer/ and of data. Test: tests/unit/report/report_test.cpp
 namespace matrigrate::report {
 
 /// Sentences under a heading.

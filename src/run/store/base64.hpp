@@ -3,7 +3,7 @@
 #include <string>
 #include <string_view>
 
-/// Bytes as text. Test: tests/unit/store/base64_test.cpp
+/// Bytes as text. Test: tests/unit/store/store_test.cpp
 namespace matrigrate::store {
 
 /// base64 with padding (RFC 4648).

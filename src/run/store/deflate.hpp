@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-/// Bytes compressed by zlib, as one stream (RFC 1950). Test: tests/unit/store/deflate_test.cpp
+/// Bytes compressed by zlib, as one stream (RFC 1950). Test: tests/unit/store/store_test.cpp
 namespace matrigrate::store {
 
 inline constexpr std::size_t max_bytes_fast = std::size_t{1} << 30U; ///< a frame, and then some

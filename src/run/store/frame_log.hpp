@@ -15,7 +15,7 @@
 /// The frames of a run on disk while it goes on: a head, then frame after frame, each compressed, with its length and
 /// fingerprint before it. A run that is killed at any moment loses at most the frame that was being written, and damage
 /// loses only the frames in which it lies.
-/// Test: tests/unit/store/frame_log_test.cpp
+/// Test: tests/unit/store/frames_test.cpp
 namespace matrigrate::store {
 
 inline constexpr const char* frame_log_name = "fields.part";

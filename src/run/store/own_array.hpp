@@ -6,7 +6,7 @@
 #include <string>
 
 /// Checks of an array before it is read from an untrusted file.
-/// Test: tests/unit/store/foreign_fields_test.cpp
+/// Test: tests/unit/store/frames_test.cpp
 namespace matrigrate::store {
 
 /// An array within the file itself: every link on the way to it is hard, and its numbers are in this file.

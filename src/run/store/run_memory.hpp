@@ -12,7 +12,7 @@
 
 /// Output state stored in a checkpoint, so that a resumed run writes the files that one without a break would have
 /// written. Of the tables it holds length and fingerprint; their rows are in the files.
-/// Test: tests/unit/store/run_memory_test.cpp
+/// Test: tests/unit/store/store_test.cpp
 namespace matrigrate::store {
 
 struct RunMemory {

@@ -10,7 +10,7 @@
 #include <vector>
 
 /// The whole frames of a run, for its resumption, reports and exports; and the frames that are lost.
-/// Test: tests/unit/store/saved_frames_test.cpp
+/// Test: tests/unit/store/frames_test.cpp
 namespace matrigrate::store {
 
 /// Frames as they stand in a log, by their times [s].

@@ -7,7 +7,7 @@
 #include <string_view>
 
 /// Fingerprints: equal ones mean equal bits. XXH3 with 64 bits, of the library xxHash; its values are the same on all
-/// machines with little-endian numbers. Test: tests/unit/store/trajectory_hash_test.cpp
+/// machines with little-endian numbers. Test: tests/unit/store/store_test.cpp
 namespace matrigrate::store {
 
 /// Fingerprint of all positions of cells and matrix at a sequence of times. Each one is the seed of the next, so that

@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-/// Reading of CSV as this program writes it (csv_line, csv_text, to_csv). Test: tests/unit/tables/csv_test.cpp
+/// Reading of CSV as this program writes it (csv_line, csv_text, to_csv). Test: tests/unit/tables/tables_test.cpp
 namespace matrigrate::store {
 
 /// A table of text: a header, and rows as long as it.

@@ -18,7 +18,7 @@ namespace matrigrate::store {
 
 using Json = nlohmann::ordered_json;
 
-// Files that may come from anyone. Test: tests/unit/store/json_text_test.cpp
+// Files that may come from anyone. Test: tests/unit/store/store_test.cpp
 
 /// Most levels of nested brackets: a deeper value would overflow the stack when it is copied, written or deleted. The
 /// program's own files have less than ten.

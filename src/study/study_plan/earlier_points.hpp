@@ -10,7 +10,7 @@
 #include <utility>
 
 /// Studies that an earlier version has written out, whose points may name parameters that have gone
-/// (parameters/gone.hpp). Test: tests/unit/study_plan/earlier_points_test.cpp
+/// (parameters/gone.hpp). Test: tests/unit/study_plan/plan_test.cpp
 namespace matrigrate::study {
 
 /// What points say by parameters that have gone: by the place of the point's table, path and value.

@@ -7,7 +7,7 @@
 #include <vector>
 
 /// How the parameters of a study are called in labels, sentences and figures. Test:
-/// tests/unit/study_plan/names_test.cpp
+/// tests/unit/study_plan/plan_test.cpp
 namespace matrigrate::study {
 
 /// The parameters that a study varies, each by a name that no other of them has.

@@ -1,14 +1,21 @@
+#include "parameters/schema.hpp"
+#include "parameters/write.hpp"
+#include "study_plan/earlier_points.hpp"
+#include "study_plan/names.hpp"
+#include "study_plan/read_study.hpp"
+#include "study_plan/sweep.hpp"
 #include "unit/study_plan/studies.hpp"
 
-#include "study_plan/sweep.hpp"
-
-#include "parameters/write.hpp"
-
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <map>
 #include <set>
+#include <string>
 
 namespace matrigrate::study {
 namespace {
@@ -134,6 +141,186 @@ TEST(Sweep, EachFaultOfAHypercube) {
                   .ends_with("is no number, and has no range"));
   EXPECT_TRUE(fault_of("[latin_hypercube]\nsamples = 3\nprotrusion.number = [0, 3, \"log\"]\n")
                   .ends_with("a logarithmic range must start above 0"));
+}
+
+const std::string numbers = "ecm.youngs_modulus = [\"50 Pa\", \"400 Pa\"]\n"
+                            "protrusion.initiation_rate = [\"1e-5 1/s\", \"1e-3 1/s\", \"log\"]\n"
+                            "protrusion.number = [1, 4]\n";
+TEST(Designs, ThoseThatAreNoMoreAreRefusedWithWhatReplacesThem) {
+  EXPECT_EQ(
+      fault_of("[one_at_a_time]\nadhesion.rupture = [true]\n"),
+      "f.toml:3:2: one_at_a_time: is no design any more; list the base and each value alone as [[points]], or draw "
+      "ranges by [latin_hypercube], of which matrigrate.calibrate.fit tells how much each parameter matters");
+  EXPECT_EQ(fault_of("[morris]\ntrajectories = 4\necm.youngs_modulus = [100, 200]\n"),
+            "f.toml:3:2: morris: is no design any more; draw the ranges by [latin_hypercube], of which "
+            "matrigrate.calibrate.fit tells how much each parameter matters");
+  EXPECT_EQ(fault_of("[[outcomes]]\nreadout = \"l_prot_um\"\n"),
+            "f.toml:3:3: outcomes: have gone; write [[targets]], or give the numbers by condition to "
+            "matrigrate.calibrate.fit");
+  const std::string resolved = "[[points]]\nlabel = \"base\"\n[[points]]\nlabel = \"b\"\nadhesion.rupture = true\n";
+  EXPECT_EQ(fault_of(resolved + "[[steps]]\nfactor = \"adhesion.rupture\"\nfrom = \"base\"\nto = \"b\"\n"),
+            "f.toml:8:3: steps: belong to a design that is no more; leave them out: the points and their runs stay. A "
+            "[latin_hypercube] and matrigrate.calibrate.fit tell how much each parameter matters");
+  EXPECT_EQ(read(resolved).points.size(), 2U);
+  EXPECT_EQ(
+      faults_of("preset = \"baseline\"\nreplicates = 3\n[morris]\nlevels = 3\n[sweep]\necm.latice = [1]\n").size(), 2U)
+      << "with all other faults";
+}
+
+TEST(Designs, TheResolvedFormGivesTheSameRuns) {
+  const Study s =
+      read(std::string("title = \"x\"\n[sweep]\nadhesion.rupture = [true]\n[latin_hypercube]\nsamples = 5\n") + numbers
+           + "[[conditions]]\nlabel = \"soft\"\necm.viscosity = 500\n[[conditions]]\nlabel = \"thick\"\n"
+             "ecm.viscosity = 2000\n[[targets]]\nreadout = \"f_mat\"\nlow = 0.4\nhigh = 0.5\nerror = 0.1\n"
+             "at = \"thick\"\n[[targets]]\nreadout = \"n_protrusions\"\nvalue = 12\nerror = 1\nweight = 2\n");
+  ASSERT_EQ(s.points.size(), 2 * s.sets.size());
+  const std::string text = to_toml(s, "x.toml");
+  std::string other = text;
+  other.replace(other.find("scenario = \"x.toml\""), 19, "preset = \"baseline\"");
+  const Study t = parse_study(other, "f.toml", ".");
+  EXPECT_EQ(to_toml(t, "x.toml"), text);
+  ASSERT_EQ(t.points.size(), s.points.size());
+  const auto fingerprint = [](const Parameters& p) { return value_text(*find_row("ecm.viscosity"), p); };
+  const auto a = planned_runs(s, fingerprint);
+  const auto b = planned_runs(t, fingerprint);
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    EXPECT_EQ(a[i].seed, b[i].seed);
+    EXPECT_TRUE(same(parameters_of(s, a[i]), parameters_of(t, b[i])));
+  }
+}
+
+TEST(Designs, TheStudiesOfTheDocumentsAreGood) {
+  const auto block = [](const std::string& page, const std::string& part) { // the fenced one that holds it
+    std::ifstream in(MATRIGRATE_SOURCE_DIR "/docs/" + page);
+    const std::string text{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+    const std::size_t at = text.find(part);
+    const std::size_t begin = text.find('\n', text.rfind("\n```", at) + 1);
+    return at == std::string::npos ? std::string() : text.substr(begin, text.find("\n```", at) - begin);
+  };
+  EXPECT_EQ(parse_study(block("studies.md", "title = \"Matrix stiffness\""), "f.toml", ".").runs(), 36U);
+  const Study s = parse_study(block("how-to/targets.md", "title = \"Cells against measured speeds\""), "f.toml", ".");
+  EXPECT_EQ(s.sets.size(), 4U);
+  EXPECT_EQ(s.targets.size(), 2U);
+}
+
+/// A study that version 0.2.0 wrote out, beside its scenario.
+class EarlierPoints : public testing::Test {
+protected:
+  void SetUp() override {
+    std::string name = (std::filesystem::temp_directory_path() / "matrigrate-points-XXXXXX").string();
+    ASSERT_NE(::mkdtemp(name.data()), nullptr);
+    folder = name;
+  }
+  void TearDown() override { std::filesystem::remove_all(folder); }
+
+  /// @param more  rules of who computes
+  Study read(const std::string& scenario, const std::string& points, std::span<const Rule> more = {}) const {
+    std::ofstream(folder / "scenario.resolved.toml")
+        << "version = \"0.2.5\"\n[ecm.fields]\nattractant = \"exp(x/50)\"\nligand = \"1\"\n"
+        << scenario;
+    return parse_study("# A study with all its points written out. Running this file again adds nothing.\n"
+                       "scenario = \"scenario.resolved.toml\"\nreplicates = 1\n"
+                           + points,
+                       "s.toml", folder, {.overrides = {}, .replicates = {}, .more = more});
+  }
+
+  std::filesystem::path folder;
+};
+
+TEST_F(EarlierPoints, SayByLawsWhatTheySaidByCuesAndProfiles) {
+  const Study s =
+      read("[cues]\nchemotaxis = 5\nhaptotaxis = 0\nguidance = 0\n",
+           "[[points]]\nlabel = \"a\"\n\"cues.chemotaxis\" = 20\n[[points]]\nlabel = \"b\"\n\"cues.chemotaxis\" = 0\n"
+           "[[points]]\nlabel = \"c\"\n\"cues.haptotaxis\" = 2\n[[points]]\nlabel = \"d\"\n"
+           "\"actomyosin.curvature_profile\" = \"triangle\"\n[[points]]\nlabel = \"e\"\n"
+           "\"actomyosin.curvature_profile\" = \"half_gaussian\"\n");
+  ASSERT_EQ(s.points.size(), 5U);
+  const auto laws = [&](std::size_t k) { return s.points[k].parameters.laws; };
+  EXPECT_EQ(laws(0).initiation_bias, "exp(20*occupancy)");
+  EXPECT_EQ(laws(1).initiation_bias, "1");
+  EXPECT_EQ(laws(2).initiation_bias, "exp(5*occupancy)*exp(2*ligand)") << "chemotaxis as in the scenario";
+  EXPECT_EQ(laws(3).initiation_bias, "exp(5*occupancy)");
+  EXPECT_EQ(laws(3).curvature_factor, "max(0, 1 - abs(kappa - kappa_0)/kappa_w)");
+  EXPECT_EQ(laws(4).curvature_factor, *find_row("laws.curvature_factor")->before);
+}
+
+TEST_F(EarlierPoints, KeepReadingsThatHaveGoneForWhoReads) {
+  const std::string points =
+      "[[points]]\nlabel = \"place\"\n\"adhesion.hold\" = \"place\"\n[[points]]\nlabel = \"matter\"\n"
+      "\"adhesion.hold\" = \"matter\"\n";
+  const Study s = read("", points);
+  ASSERT_EQ(s.points.size(), 2U);
+  EXPECT_EQ(s.points[0].parameters.origin.gone.at("adhesion.hold"), "\"place\"");
+  EXPECT_TRUE(s.points[1].parameters.origin.gone.empty());
+  EXPECT_NE(values_text(s.points[0].parameters), values_text(s.points[1].parameters));
+  try {
+    read("", points, rules());
+    FAIL() << "to compute it is refused";
+  } catch (const ConfigurationError& error) {
+    EXPECT_EQ(std::string(error.what()).find("s.toml:4:1: adhesion.hold: \"place\" has gone"), 0U) << error.what();
+  }
+}
+
+TEST_F(EarlierPoints, AStudyThatSomebodyWroteIsRefusedThem) {
+  std::ofstream(folder / "s.toml") << "version = \"0.2.5\"\n";
+  EXPECT_THROW(
+      parse_study("scenario = \"s.toml\"\nreplicates = 1\n[[points]]\nadhesion.hold = \"place\"\n", "e.toml", folder),
+      ConfigurationError);
+}
+
+TEST(Names, AreTheLastWordsWhereTheseDiffer) {
+  const Names names({"ecm.youngs_modulus", "protrusion.force", "protrusion.number"});
+  EXPECT_EQ(names.of("ecm.youngs_modulus"), "youngs_modulus");
+  EXPECT_EQ(names.of("protrusion.force"), "force");
+  EXPECT_EQ(names.of("protrusion.number"), "n_prot");
+}
+
+TEST(Names, AreWholePathsWhereTwoEndAlike) {
+  const Names names({"ecm.youngs_modulus", "protrusion.force", "actomyosin.force"});
+  EXPECT_EQ(names.of("ecm.youngs_modulus"), "youngs_modulus");
+  EXPECT_EQ(names.of("protrusion.force"), "protrusion.force");
+  EXPECT_EQ(names.of("actomyosin.force"), "actomyosin.force");
+}
+
+TEST(Names, InFullHaveThePapersLetters) {
+  EXPECT_EQ(Names::whole("polarization.rate"), "polarization.rate (r_pol)");
+  EXPECT_EQ(Names::whole("adhesion.rupture"), "adhesion.rupture");
+}
+
+std::vector<std::string> labels(const Study& s) {
+  std::vector<std::string> all;
+  for (const Point& point : s.points) all.push_back(point.label);
+  return all;
+}
+
+using Labels = std::vector<std::string>;
+
+TEST(Names, TellTheAxesOfASweepApart) {
+  const Study s = read("[sweep]\nprotrusion.force = [0.2]\nactomyosin.force = [0.4, 0.2]\n");
+  EXPECT_EQ(labels(s), (Labels{"protrusion.force 0.2 nN, actomyosin.force 0.4 nN",
+                               "protrusion.force 0.2 nN, actomyosin.force 0.2 nN"}));
+}
+
+TEST(Names, TellPointsAndConditionsFromASweep) {
+  const std::string sweep = "[sweep]\nprotrusion.force = [0.2]\n";
+  EXPECT_EQ(labels(read(sweep + "[[points]]\nactomyosin.force = 1\n")),
+            (Labels{"protrusion.force 0.2 nN", "actomyosin.force 1 nN"}));
+  EXPECT_EQ(labels(read(sweep + "[[conditions]]\nlabel = \"weak\"\nactomyosin.force = 0.1\n")),
+            (Labels{"weak: protrusion.force 0.2 nN"}));
+}
+
+TEST(Names, TellTheFactorsOfAHypercubeApart) {
+  const Study s = read("[latin_hypercube]\nsamples = 2\nprotrusion.force = [0.1, 0.2]\nactomyosin.force = [1, 2]\n");
+  EXPECT_EQ(s.points[0].label, "sample 1");
+  const std::string text = point_text(s, 0);
+  EXPECT_TRUE(text.starts_with("protrusion.force 0.1")) << text;
+  EXPECT_NE(text.find(" nN, actomyosin.force 1"), std::string::npos) << text;
+}
+
+TEST(Names, KeepLabelsThatTheFileGives) {
+  const Study s = read("[[points]]\nlabel = \"force 0.2 nN, force 0.4 nN\"\nprotrusion.force = 0.2\n"
+                       "actomyosin.force = 0.4\n[[points]]\nactomyosin.force = 1\n");
+  EXPECT_EQ(labels(s), (Labels{"force 0.2 nN, force 0.4 nN", "actomyosin.force 1 nN"}));
 }
 
 } // namespace

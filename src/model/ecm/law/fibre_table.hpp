@@ -12,7 +12,7 @@
 #include <vector>
 
 /// A law of fibres that a user gives as a formula (laws.fibre_stiffness), as a table that any thread may read.
-/// Test: tests/unit/ecm/law/fibre_table_test.cpp
+/// Test: tests/unit/ecm/law/law_test.cpp
 namespace matrigrate {
 
 /// Stiffness over k_0 as polynomials of degree 5 on pieces, at first of 0.003 or less, halved until they differ from

@@ -9,7 +9,7 @@
 
 /// Laws of the intact matrix at a point: isotropic elasticity in rate form, plane strain. Pure functions, templates
 /// over the number type: vectorised loops over particles and code for a single particle call the same functions and get
-/// the same bits. Test: tests/unit/ecm/law/material_test.cpp, tests/unit/ecm/loop/stress_test.cpp
+/// the same bits. Test: tests/unit/ecm/law/law_test.cpp, tests/unit/ecm/loop/stress_test.cpp
 namespace matrigrate {
 
 /// Moduli that follow from E and nu [kPa].

@@ -3,7 +3,7 @@
 #include "parameters/parameters.hpp"
 #include "sph/kernel.hpp"
 
-/// Test: tests/unit/ecm/law/viscosity_test.cpp
+/// Test: tests/unit/ecm/law/law_test.cpp
 namespace matrigrate {
 
 /// Drag between two particles, viscous term of Heck et al. 2020, Eq. (2):

@@ -10,7 +10,7 @@ namespace matrigrate {
 
 /// Deformation gradient over reference neighbours (MODEL.md, I4; exact for every linear displacement):
 ///   F_i = I + (sum_j V_0 f_j (u_j - u_i) (x) grad_0 W_ij) B_i        [-]
-/// Test: tests/unit/ecm/loop/deformation_test.cpp
+/// Test: tests/unit/ecm/loop/loop_test.cpp
 Mat2 deformation_gradient(const EcmState& ecm, const Reference& ref, std::size_t i);
 
 /// Its rate, from the velocities of `ecm` [1/s].

@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-/// Pressure of degraded matrix (MODEL.md, I6). Test: tests/unit/ecm/loop/fluid_test.cpp
+/// Pressure of degraded matrix (MODEL.md, I6). Test: tests/unit/ecm/loop/loop_test.cpp
 namespace matrigrate {
 
 /// Sum of V_0 W over an intact lattice, the particle itself included [-].

@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-/// Sums over reference neighbours for many particles at once. Test: tests/unit/ecm/loop/rows_test.cpp
+/// Sums over reference neighbours for many particles at once. Test: tests/unit/ecm/loop/loop_test.cpp
 namespace matrigrate {
 
 /// A run of consecutive particles that share one neighbour stencil: partner k has the same index offset and the same

@@ -21,7 +21,7 @@ void assemble_viscosity(const EcmState& ecm, const EcmParameters& p, const RowPa
                         double theta = 0.0);
 
 /// The same, incrementally from step to step: only rows near particles that have moved are recomputed. The result has
-/// the same bits as a full assembly. Test: tests/unit/ecm/loop/viscosity_test.cpp
+/// the same bits as a full assembly. Test: tests/unit/ecm/loop/loop_test.cpp
 class ViscosityRows {
 public:
   /// Fills A with the drag at the positions x.
