@@ -4,7 +4,7 @@
 #include "apps/terminal/terminal.hpp"
 #include "base/failure.hpp"
 #include "base/file.hpp"
-#include "base/threads.hpp"
+#include "base/parallel.hpp"
 #include "parameters/write.hpp"
 #include "run/provenance.hpp"
 

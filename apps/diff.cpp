@@ -1,5 +1,4 @@
 #include "apps/terminal/terminal.hpp"
-#include "apps/terminal/text_table.hpp"
 #include "apps/verbs.hpp"
 #include "run/difference.hpp"
 

@@ -1,4 +1,4 @@
-#include "apps/terminal/sudden_end.hpp"
+#include "apps/terminal/stop_signal.hpp"
 #include "apps/terminal/terminal.hpp"
 #include "apps/terminal/usage.hpp"
 #include "apps/verbs.hpp"

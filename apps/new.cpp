@@ -2,8 +2,8 @@
 #include "apps/verbs.hpp"
 #include "base/failure.hpp"
 #include "base/file.hpp"
+#include "parameters/document.hpp"
 #include "parameters/nearest.hpp"
-#include "parameters/scan.hpp"
 #include "parameters/write.hpp"
 
 #include <CLI/CLI.hpp>

@@ -1,7 +1,7 @@
 #include "apps/track_options.hpp"
 
 #include "apps/verbs.hpp"
-#include "parameters/scan.hpp"
+#include "parameters/document.hpp"
 #include "parameters/units.hpp"
 
 #include <CLI/CLI.hpp>

@@ -1,6 +1,5 @@
 #include "apps/shipped_pages.hpp"
 #include "apps/terminal/terminal.hpp"
-#include "apps/terminal/text_table.hpp"
 #include "apps/track_options.hpp"
 #include "apps/verbs.hpp"
 #include "base/failure.hpp"

@@ -1,7 +1,7 @@
 // One step of the matrix alone and its parts, on the disc of the paper (17,665 particles without a hole at 150 um)
 // while a kernel-distributed force of 0.06 nN pulls at its centre: warm starts and displacements as they are in use.
 
-#include "base/threads.hpp"
+#include "base/parallel.hpp"
 #include "ecm/loop/fluid.hpp"
 #include "ecm/loop/stress.hpp"
 #include "ecm/loop/viscosity.hpp"

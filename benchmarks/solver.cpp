@@ -2,7 +2,7 @@
 // matrix alone and with a cell of three protrusions; all in place or stirred; from zero and from nearby.
 // Arguments: digits of the tolerance, start from nearby, cell, stirred.
 
-#include "base/threads.hpp"
+#include "base/parallel.hpp"
 #include "solve/multigrid.hpp"
 #include "synthetic.hpp"
 

@@ -4,7 +4,7 @@
 // Plainly it is solved twice: to the same residual, and to a hundredth of it, which is about what the same error takes.
 //   matrigrate_yardstick [key=value...]
 
-#include "base/threads.hpp"
+#include "base/parallel.hpp"
 #include "ecm/drag_cache.hpp"
 #include "ecm/law/material.hpp"
 #include "ecm/loop/deformation.hpp"

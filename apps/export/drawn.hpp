@@ -1,5 +1,6 @@
 #pragma once
 
+#include "exchange/run_tracks.hpp"
 #include "run/finished_run.hpp"
 
 #include <cstddef>
@@ -8,8 +9,9 @@
 #include <string>
 #include <vector>
 
-/// Exports that the page of the run draws in a browser without a window (viewer/drive.mjs).
 namespace matrigrate::apps {
+
+// Exports that the page of the run draws in a browser without a window (viewer/drive.mjs).
 
 struct DrawnOptions {
   std::string layer;                   ///< that the matrix is coloured by; empty: what the kind has by default
@@ -38,5 +40,14 @@ void require_drawing_tools(const DrawnKinds& kinds);
 /// @throws InputOutputError if a tool fails
 void export_drawn(const run::FinishedRun& run, const DrawnKinds& kinds, const DrawnOptions& options,
                   const std::filesystem::path& folder);
+
+/// The times of the frames of a run nearest to those of --panel [s].
+/// @param times  "0 h, 1 h 30 min, 6 h"
+/// @throws UsageError saying what cannot be read, or which time has no frame nearby
+std::vector<double> panel_times(const run::FinishedRun& run, const std::string& times);
+
+/// The numbers of the frames nearest to those of --times, each once; all without times.
+/// @throws UsageError saying which time has no frame nearby
+std::vector<std::size_t> frames_at(const run::FinishedRun& run, const exchange::Times& times);
 
 } // namespace matrigrate::apps

@@ -1,6 +1,5 @@
 #include "apps/export/by_python.hpp"
 #include "apps/export/drawn.hpp"
-#include "apps/export/panel.hpp"
 #include "apps/export/tracks.hpp"
 #include "apps/run_output.hpp"
 #include "apps/terminal/terminal.hpp"

@@ -10,8 +10,9 @@
 #include <string_view>
 #include <vector>
 
-/// Exports of tracks, of a run or of all runs of a study that are done.
 namespace matrigrate::apps {
+
+// Exports of tracks, of a run or of all runs of a study that are done.
 
 /// The times that --times names: "every 10 min", "0 h, 1 h, 3 h", or none: all.
 /// @throws UsageError naming all that cannot be read
@@ -43,5 +44,12 @@ void write_openvt(const std::vector<exchange::RunTracks>& runs, exchange::OpenVt
 /// What openvt.json says of a run, and of a study.
 exchange::OpenVtModel openvt_model(const run::FinishedRun& run);
 exchange::OpenVtModel openvt_model(const study::Study& study, const std::vector<study::Result>& results);
+
+/// The parts of a list between commas, without the spaces around them; none of an empty text.
+std::vector<std::string> items_of(const std::string& list);
+
+/// A time with its unit, "1 h 30 min"; 0 needs none [s].
+/// @throws std::invalid_argument saying what is wrong
+double time_of(const std::string& text);
 
 } // namespace matrigrate::apps

@@ -1,14 +1,29 @@
 #pragma once
 
-#include "apps/reproduce/options.hpp"
 #include "apps/study/files.hpp"
+#include "claims/evidence.hpp"
 #include "claims/parts.hpp"
 
+#include <string>
 #include <utility>
 #include <vector>
 
-/// The runs of `matrigrate reproduce`, with what the terminal shows of them. Test: tests/apps/reproduce_test.cpp
 namespace matrigrate::apps {
+
+/// What `matrigrate reproduce` was asked for.
+struct ReproduceOptions : study::EvidenceOptions {
+  int jobs = 0;
+  bool json = false;
+  bool quiet = false;
+  std::string command; ///< as it was typed
+};
+
+/// A signal ended the work.
+struct Stopped {
+  int signal;
+};
+
+// The runs of `matrigrate reproduce`, with what the terminal shows of them. Test: tests/apps/reproduce_test.cpp
 
 /// Computes runs of the studies behind claims.
 class ReproducedRuns {

@@ -1,6 +1,6 @@
 #include "apps/study/discrepancy_text.hpp"
 
-#include "apps/terminal/text_table.hpp"
+#include "apps/terminal/terminal.hpp"
 #include "study_plan/names.hpp"
 #include "study_results/comparison.hpp"
 

@@ -2,7 +2,7 @@
 
 #include "apps/shipped_pages.hpp"
 #include "apps/study/discrepancy_text.hpp"
-#include "apps/terminal/text_table.hpp"
+#include "apps/terminal/terminal.hpp"
 #include "apps/verbs.hpp"
 #include "study_plan/names.hpp"
 #include "study_report/played_runs.hpp"

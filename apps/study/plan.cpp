@@ -1,10 +1,10 @@
-#include "apps/study/plan.hpp"
+#include "apps/study/verbs.hpp"
 
 #include "apps/terminal/progress.hpp"
 #include "apps/terminal/terminal.hpp"
 #include "apps/verbs.hpp"
-#include "base/time_text.hpp"
-#include "study_runs/study_cost.hpp"
+#include "base/text.hpp"
+#include "study_runs/study_progress.hpp"
 
 #include <fmt/format.h>
 

@@ -5,7 +5,7 @@
 #include "apps/terminal/terminal.hpp"
 #include "apps/verbs.hpp"
 #include "base/failure.hpp"
-#include "base/time_text.hpp"
+#include "base/text.hpp"
 #include "claims/shipped_studies.hpp"
 #include "parameters/closures.hpp"
 #include "run/estimate.hpp"

@@ -1,4 +1,3 @@
-#include "apps/study/plan.hpp"
 #include "apps/study/verbs.hpp"
 #include "apps/verbs.hpp"
 

@@ -10,8 +10,9 @@
 #include <string>
 #include <vector>
 
-/// The verbs of `matrigrate study`, and what `matrigrate reproduce` shares with them.
 namespace matrigrate::apps {
+
+// The verbs of `matrigrate study`, and what `matrigrate reproduce` shares with them.
 
 using study::make_study_folder;
 using study::planned;
@@ -56,5 +57,8 @@ struct TaskOptions {
   std::string list; ///< file in the folder: a line "task hash" for each run
 };
 int compute_task(const TaskOptions& options);
+
+/// Points, runs and cost, in words or as JSON.
+int print_plan(const study::StudyFolder& study, int jobs, bool json);
 
 } // namespace matrigrate::apps

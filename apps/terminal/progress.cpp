@@ -1,7 +1,7 @@
 #include "apps/terminal/progress.hpp"
 
 #include "apps/terminal/terminal.hpp"
-#include "base/time_text.hpp"
+#include "base/text.hpp"
 
 #include <fmt/format.h>
 

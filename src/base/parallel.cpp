@@ -1,7 +1,5 @@
 #include "base/parallel.hpp"
 
-#include "base/threads.hpp"
-
 #include <tbb/blocked_range.h>
 #include <tbb/global_control.h>
 #include <tbb/info.h>

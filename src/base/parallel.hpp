@@ -2,13 +2,18 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <functional>
+#include <memory>
+#include <span>
+#include <string>
 #include <vector>
 
-/// Loops that give the same bits for any number of threads: a loop body writes only to its own index, and a sum is
-/// taken over blocks whose bounds do not depend on the threads, then over the blocks in order. Test:
-/// tests/unit/base/base_test.cpp
 namespace matrigrate {
+
+// Loops that give the same bits for any number of threads: a loop body writes only to its own index, and a sum is
+// taken over blocks whose bounds do not depend on the threads, then over the blocks in order. Test:
+// tests/unit/base/base_test.cpp
 
 inline constexpr std::size_t parallel_block = 512;
 
@@ -60,5 +65,38 @@ T ordered_sum(std::size_t n, const T& zero, const Term& term) {
   for (const T& s : partial) sum += s;
   return sum;
 }
+
+/// Calls body(begin, end) for every stretch of indices whose flag is 0, in order: loops without a branch inside.
+/// Test: tests/unit/base/base_test.cpp
+template <class Body>
+void each_unflagged_stretch(std::span<const std::uint8_t> flags, const Body& body) {
+  for (auto begin = std::ranges::find(flags, 0), end = begin; begin != flags.end();
+       begin = std::find(end, flags.end(), 0)) {
+    end = std::find_if(begin, flags.end(), [](std::uint8_t flag) { return flag != 0; });
+    body(static_cast<std::size_t>(begin - flags.begin()), static_cast<std::size_t>(end - flags.begin()));
+  }
+}
+
+// The number of threads that the loops of base/parallel.hpp use. Test: tests/unit/base/base_test.cpp
+
+/// The number of threads that this process may use.
+int hardware_threads();
+
+/// Limits parallel loops to a number of threads while it lives. Of several limits the lowest counts.
+class ThreadLimit {
+public:
+  /// @param threads  at least 1; otherwise hardware_threads()
+  explicit ThreadLimit(int threads);
+  ThreadLimit(const ThreadLimit&) = delete;
+  ThreadLimit& operator=(const ThreadLimit&) = delete;
+  ~ThreadLimit();
+
+private:
+  struct Limit;
+  std::unique_ptr<Limit> m_limit;
+};
+
+/// Version of oneTBB, which shares the loops among threads.
+std::string threading_version();
 
 } // namespace matrigrate

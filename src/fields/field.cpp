@@ -1,12 +1,14 @@
 #include "fields/field.hpp"
 
 #include "fields/file_words.hpp"
-#include "fields/formula.hpp"
 #include "fields/grids.hpp"
 
 #include <fmt/format.h>
 
+#include <array>
+#include <cmath>
 #include <stdexcept>
+#include <string_view>
 #include <utility>
 #include <variant>
 
@@ -62,5 +64,15 @@ bool names_one_file(const std::string& text) {
     return false;
   }
 }
+
+namespace {
+
+constexpr std::array<std::string_view, 3> variables{"x", "y", "r"};
+
+} // namespace
+
+Formula::Formula(const std::string& text) : m_expression(text, variables) {}
+
+double Formula::at(const Vec2& x) const { return m_expression.at(std::array{x.x(), x.y(), std::hypot(x.x(), x.y())}); }
 
 } // namespace matrigrate::fields

@@ -1,7 +1,5 @@
 #include "fields/picture.hpp"
 
-#include "fields/raster.hpp"
-
 #include <fmt/format.h>
 
 #include <array>

@@ -1,4 +1,4 @@
-#include "fields/raster.hpp"
+#include "fields/picture.hpp"
 
 #include <fmt/format.h>
 #include <png.h>

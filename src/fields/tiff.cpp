@@ -1,4 +1,4 @@
-#include "fields/raster.hpp"
+#include "fields/picture.hpp"
 #include "fields/tiff_pages.hpp"
 
 #include <fmt/format.h>

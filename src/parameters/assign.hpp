@@ -2,13 +2,16 @@
 
 #include "parameters/schema.hpp"
 
+#include <toml++/toml.h>
+
 #include <cstdint>
 #include <string>
 #include <string_view>
 #include <variant>
 
-/// From a value as typed to a parameter. Test: tests/unit/parameters/read_test.cpp
 namespace matrigrate {
+
+// From a value as typed to a parameter. Test: tests/unit/parameters/read_test.cpp
 
 /// A value of a TOML file.
 struct Given {
@@ -19,5 +22,16 @@ struct Given {
 /// Sets the parameter of the row to a value, or leaves it as it is and says why.
 /// @return what is wrong and what is allowed; empty if nothing is
 std::string assign(const Row& row, const Given& given, Parameters& p);
+
+// What stands at a place of a TOML file. Test: tests/unit/parameters/read_test.cpp
+
+/// The kind of a value in words: "a table", "a number".
+std::string_view type_of(const toml::node& node);
+
+/// The value as assign() takes it.
+Given given_by(const toml::node& node);
+
+/// The same for a row: a table of names that laws.constants is given becomes its text, "F_c = 0.1 nN, n = 2".
+Given given_for(const Row& row, const toml::node& node);
 
 } // namespace matrigrate

@@ -4,20 +4,24 @@
 #include "parameters/parameters.hpp"
 #include "parameters/rules.hpp"
 
+#include <toml++/toml.h>
+
+#include <cstddef>
 #include <filesystem>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
-/// From a scenario file to parameters. What a file leaves out has its default. A file that is not TOML has one fault,
-/// with its place; otherwise every fault of the file and of the overrides is reported at once, sorted by line, the
-/// first 200 in full. No fault leaves a half-read result. The time is linear in the length of the file. Test:
-/// tests/unit/parameters/read_test.cpp, tests/unit/parameters/hostile_test.cpp
-///
-/// Files that other versions wrote are read as they were meant, also where this program does not compute that any more
-/// (Parameters::origin). Who computes names rules that must hold besides rules(), and is refused such a file.
 namespace matrigrate {
+
+// From a scenario file to parameters. What a file leaves out has its default. A file that is not TOML has one fault,
+// with its place; otherwise every fault of the file and of the overrides is reported at once, sorted by line, the
+// first 200 in full. No fault leaves a half-read result. The time is linear in the length of the file. Test:
+// tests/unit/parameters/read_test.cpp, tests/unit/parameters/hostile_test.cpp
+//
+// Files that other versions wrote are read as they were meant, also where this program does not compute that any more
+// (Parameters::origin). Who computes names rules that must hold besides rules(), and is refused such a file.
 
 /// @param overrides  "key=value" each, as after --set; the value in TOML or bare (400 Pa, hexagonal); the last one wins
 /// @param more       rules that must hold besides rules()
@@ -41,5 +45,26 @@ std::string complete_field(std::string& text, const std::filesystem::path& folde
 /// @throws ConfigurationError with all faults, those of the file "--set"
 Parameters apply_overrides(const Parameters& p, const std::vector<std::string>& overrides,
                            std::span<const Rule> more = {});
+
+// [[cells]] of a scenario: where several cells start. Test: tests/unit/parameters/parameters_test.cpp
+
+/// What stands at [[cells]].
+struct CellsRead {
+  struct Fault {
+    toml::source_region place;
+    std::string key; ///< "cells", "cells[2]", "cells[2].x"
+    std::string message;
+  };
+  std::vector<CellStart> starts;           ///< those that could be read, in the order of the file [um]
+  std::vector<toml::source_region> places; ///< of each of `starts`
+  std::vector<Fault> faults;
+};
+
+/// Reads an array of tables, each with the keys of cell_rows().
+/// @return all faults of form and value; whether the cells have room, cell_faults() tells
+CellsRead read_cells(const toml::node& node);
+
+/// "cells[1]" for the first one.
+std::string cell_key(std::size_t cell);
 
 } // namespace matrigrate

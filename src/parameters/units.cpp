@@ -1,10 +1,10 @@
 #include "parameters/units.hpp"
 
-#include "parameters/unit_hint.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <cctype>
 #include <charconv>
 #include <cmath>
 #include <cstddef>
@@ -354,6 +354,71 @@ std::string to_string(const Dimension& d) {
   append("nN", d.force);
   append("rad", d.angle);
   return "a quantity in " + text;
+}
+
+namespace {
+
+bool same_letters(std::string_view a, std::string_view b) { // upper and lower case are the same
+  const auto lower = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; };
+  return std::ranges::equal(a, b, {}, lower, lower);
+}
+
+} // namespace
+
+std::string unit_meant(std::string_view text) {
+  static constexpr std::array usual{"Pa", "kPa", "um", "nm", "mm",     "nN",     "pN",   "uN",  "s",
+                                    "ms", "min", "h",  "d",  "rad",    "deg",    "MPa",  "GPa", "mPa",
+                                    "m",  "N",   "g",  "kg", "second", "minute", "hour", "day"};
+  for (const std::string_view unit : usual)
+    if (same_letters(unit, text)
+        || (unit.size() >= 3 && text.size() == unit.size() + 1 && same_letters(fmt::format("{}s", unit), text)))
+      return fmt::format("; did you mean {}?", unit);
+  static constexpr std::array words{
+      std::pair{"pascal", "Pa"},       std::pair{"pascals", "Pa"},     std::pair{"kilopascal", "kPa"},
+      std::pair{"kilopascals", "kPa"}, std::pair{"micron", "um"},      std::pair{"microns", "um"},
+      std::pair{"micrometer", "um"},   std::pair{"micrometers", "um"}, std::pair{"sec", "s"},
+      std::pair{"secs", "s"},          std::pair{"hr", "h"},           std::pair{"hrs", "h"}};
+  for (const auto& [word, unit] : words)
+    if (same_letters(word, text)) return fmt::format("; did you mean {}?", unit);
+  return {};
+}
+
+namespace {
+
+std::optional<Unit> known(std::string_view text) {
+  if (std::ranges::none_of(text, [](unsigned char c) { return std::isalpha(c) != 0 || c > 127; })) return std::nullopt;
+  try {
+    return parse_unit(text);
+  } catch (const std::invalid_argument&) {
+    return std::nullopt;
+  }
+}
+
+/// Where a name may state a unit; empty if there is no such place.
+std::string_view place_of_unit(std::string_view name) {
+  for (const auto& [open, close] : {std::pair('(', ')'), std::pair('[', ']')})
+    if (const std::size_t at = name.rfind(open); at != std::string_view::npos && name.ends_with(close))
+      return name.substr(at + 1, name.size() - at - 2);
+  const std::size_t at = name.rfind('_');
+  const std::string_view end = at == std::string_view::npos ? std::string_view() : name.substr(at + 1);
+  return end.size() > 1 ? end : std::string_view();
+}
+
+} // namespace
+
+double factor_of_column(std::string_view name, std::string_view wanted) {
+  const std::string_view stated = place_of_unit(name);
+  const std::optional<Unit> unit = known(stated);
+  if (!unit) {
+    if (const std::string meant = stated.empty() ? std::string() : unit_meant(stated); !meant.empty())
+      throw std::invalid_argument(fmt::format("column {}: {} is no unit{}", name, stated, meant));
+    return 1.0;
+  }
+  const Unit of_field = parse_unit(wanted);
+  if (unit->dimension != of_field.dimension)
+    throw std::invalid_argument(fmt::format("column {} is in {}; wanted is {}", name, stated,
+                                            wanted == "1" ? "a number without a unit" : wanted));
+  return to_internal(1.0, *unit) / to_internal(1.0, of_field);
 }
 
 } // namespace matrigrate::units

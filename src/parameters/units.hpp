@@ -5,11 +5,12 @@
 #include <string>
 #include <string_view>
 
-/// Quantities with their units, and the internal coherent set um, s, nN (stress kPa, viscosity nN s/um^2 = 1000 Pa s).
-/// A number is converted as decimal text wherever its unit is a power of ten away from the internal one: the exponent
-/// is shifted and the digits are read once, so that "200 Pa" has the bits of 0.2 and "0.7 Pa" those of 0.0007.
-/// Test: tests/unit/parameters/units_test.cpp
 namespace matrigrate::units {
+
+// Quantities with their units, and the internal coherent set um, s, nN (stress kPa, viscosity nN s/um^2 = 1000 Pa s).
+// A number is converted as decimal text wherever its unit is a power of ten away from the internal one: the exponent
+// is shifted and the digits are read once, so that "200 Pa" has the bits of 0.2 and "0.7 Pa" those of 0.0007.
+// Test: tests/unit/parameters/units_test.cpp
 
 /// Exponents of length, time, force and angle, in thousandths: a stress is {-2000, 0, 1000}.
 struct Dimension {
@@ -78,5 +79,17 @@ std::string from_internal(double value, const Unit& unit);
 
 /// The same as a number; to the nearest double where there is no such decimal (22 min in h).
 double number_in(double value, const Unit& unit);
+
+/// "; did you mean kPa?" of "kpa"; empty if no unit has these letters, nor these as its name. Where several have, the
+/// most common one is meant. Test: tests/unit/parameters/units_test.cpp
+std::string unit_meant(std::string_view text);
+
+// Units in the names of columns. Test: tests/unit/parameters/parameters_test.cpp
+
+/// What the numbers of a column are multiplied by to be in the wanted unit; 1 if its name states none. A name states a
+/// unit behind its last _ ("E_kPa"), or in brackets at its end ("E (kPa)", "E [kPa]"). A single letter behind _ is
+/// none, but a part of the name ("E_s").
+/// @throws std::invalid_argument if it states a unit of another dimension, or one with wrong capital letters
+double factor_of_column(std::string_view name, std::string_view wanted);
 
 } // namespace matrigrate::units

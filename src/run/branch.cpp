@@ -2,7 +2,7 @@
 
 #include "base/failure.hpp"
 #include "base/file.hpp"
-#include "base/time_text.hpp"
+#include "base/text.hpp"
 #include "parameters/read.hpp"
 #include "parameters/schema.hpp"
 #include "parameters/version.hpp"
@@ -11,7 +11,6 @@
 #include "run/own_files.hpp"
 #include "run/provenance.hpp"
 #include "run/stopped_run.hpp"
-#include "simulation/same_start.hpp"
 #include "simulation/start.hpp"
 #include "simulation/start_rules.hpp"
 

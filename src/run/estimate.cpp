@@ -1,6 +1,6 @@
 #include "run/estimate.hpp"
 
-#include "base/time_text.hpp"
+#include "base/text.hpp"
 #include "cues/sensing.hpp"
 #include "ecm/law/material.hpp"
 #include "parameters/closures.hpp"

@@ -2,7 +2,7 @@
 
 #include "base/failure.hpp"
 #include "base/file.hpp"
-#include "base/time_text.hpp"
+#include "base/text.hpp"
 #include "observe/even_times.hpp"
 #include "parameters/read.hpp"
 #include "report/run_page.hpp"

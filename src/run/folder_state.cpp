@@ -1,7 +1,7 @@
 #include "run/folder_state.hpp"
 
 #include "base/failure.hpp"
-#include "base/time_text.hpp"
+#include "base/text.hpp"
 #include "run/difference.hpp"
 #include "run/own_files.hpp"
 #include "run/run_record.hpp"

@@ -1,7 +1,7 @@
 #include "run/provenance.hpp"
 
+#include "base/parallel.hpp"
 #include "base/platform.hpp"
-#include "base/threads.hpp"
 #include "parameters/version.hpp"
 
 #include <nlohmann/json.hpp>

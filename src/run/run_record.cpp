@@ -2,7 +2,7 @@
 
 #include "base/failure.hpp"
 #include "base/file.hpp"
-#include "base/time_text.hpp"
+#include "base/text.hpp"
 #include "parameters/closures.hpp"
 #include "parameters/laws/laws.hpp"
 #include "parameters/schema.hpp"

@@ -1,9 +1,9 @@
 #include "run/simulate.hpp"
 
 #include "base/failure.hpp"
+#include "base/parallel.hpp"
 #include "base/platform.hpp"
-#include "base/threads.hpp"
-#include "base/time_text.hpp"
+#include "base/text.hpp"
 #include "parameters/closures.hpp"
 #include "run/run_folder.hpp"
 #include "simulation/march.hpp"

@@ -1,6 +1,6 @@
 #include "tracks/calibrate.hpp"
 
-#include "parameters/scan.hpp"
+#include "parameters/document.hpp"
 #include "statistics/sample.hpp"
 #include "tracks/layouts.hpp"
 

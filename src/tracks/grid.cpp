@@ -1,6 +1,6 @@
 #include "tracks/grid.hpp"
 
-#include "parameters/scan.hpp"
+#include "parameters/document.hpp"
 
 #include <fmt/format.h>
 

@@ -1,6 +1,6 @@
 #include "tracks/leaps.hpp"
 
-#include "parameters/scan.hpp"
+#include "parameters/document.hpp"
 #include "statistics/sample.hpp"
 
 #include <fmt/format.h>

@@ -1,6 +1,6 @@
 #include "tracks/numbers.hpp"
 
-#include "parameters/scan.hpp"
+#include "parameters/document.hpp"
 #include "tracks/layouts.hpp"
 
 #include <fmt/format.h>

@@ -1,7 +1,7 @@
 #include "tracks/options.hpp"
 
+#include "parameters/document.hpp"
 #include "parameters/nearest.hpp"
-#include "parameters/scan.hpp"
 #include "tracks/layouts.hpp"
 
 #include <fmt/format.h>

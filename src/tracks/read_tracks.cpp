@@ -1,7 +1,7 @@
 #include "tracks/read_tracks.hpp"
 
-#include "base/csv_text.hpp"
 #include "base/file.hpp"
+#include "base/text.hpp"
 #include "statistics/sample.hpp"
 #include "tracks/grid.hpp"
 #include "tracks/layouts.hpp"

@@ -1,4 +1,4 @@
-#include "parameters/scan.hpp"
+#include "parameters/document.hpp"
 #include "statistics/sample.hpp"
 #include "tracks/layouts.hpp"
 #include "tracks/leaps.hpp"

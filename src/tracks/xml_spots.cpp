@@ -1,4 +1,4 @@
-#include "parameters/scan.hpp"
+#include "parameters/document.hpp"
 #include "tracks/layouts.hpp"
 #include "tracks/sheet.hpp"
 #include "tracks/spots.hpp"

@@ -1,7 +1,7 @@
 #include "base/random.hpp"
 #include "protrusion/adhesion.hpp"
 #include "protrusion/life_cycle.hpp"
-#include "statistics/kolmogorov_smirnov.hpp"
+#include "statistics/distributions.hpp"
 #include "validation/case.hpp"
 
 #include <fmt/format.h>

@@ -1,7 +1,7 @@
 #include "protrusion/initiation.hpp"
 #include "base/random.hpp"
 #include "cell/geometry.hpp"
-#include "statistics/kolmogorov_smirnov.hpp"
+#include "statistics/distributions.hpp"
 #include "validation/case.hpp"
 
 #include <fmt/format.h>

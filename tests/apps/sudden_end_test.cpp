@@ -1,4 +1,4 @@
-#include "apps/terminal/sudden_end.hpp"
+#include "apps/terminal/stop_signal.hpp"
 
 #include "program.hpp"
 

@@ -1,9 +1,9 @@
 #include "target.hpp"
 
 #include "base/failure.hpp"
+#include "parameters/document.hpp"
 #include "parameters/laws/law.hpp"
 #include "parameters/read.hpp"
-#include "parameters/scan.hpp"
 #include "parameters/write.hpp"
 
 #include <cmath>

@@ -21,7 +21,7 @@ fi
 laws='
 src/model/ecm/law/material.hpp|K * (rho - 1.0)|K * (rho * rho - 1.0)|ecm|equation of state
 src/model/ecm/law/material.hpp|turn * (S.yy - S.xx)|turn * (S.xx - S.yy)|ecm|Jaumann rate
-src/model/ecm/law/fluid.hpp|(1.0 - f) * max|f * max|ecm|pressure of the fluid
+src/model/ecm/law/material.hpp|(1.0 - f) * max|f * max|ecm|pressure of the fluid
 src/model/ecm/law/viscosity.hpp|t_z * V * V * 2.0 * mu|t_z * V * V * mu|ecm|pair drag, Eq. 2
 src/model/ecm/law/fibres.hpp|std::exp((strain - p.onset)|std::exp((strain)|ecm|stiffening of fibres, Eq. 5
 src/model/ecm/degradation.cpp|f - rate * dt|f * (1.0 - rate * dt)|ecm|degradation

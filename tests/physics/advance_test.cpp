@@ -1,4 +1,4 @@
-#include "base/threads.hpp"
+#include "base/parallel.hpp"
 #include "simulation/advance.hpp"
 
 #include "base/failure.hpp"

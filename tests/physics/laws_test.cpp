@@ -1,4 +1,4 @@
-#include "base/threads.hpp"
+#include "base/parallel.hpp"
 #include "cell/geometry.hpp"
 #include "parameters/read.hpp"
 #include "same_bits.hpp"

@@ -1,5 +1,5 @@
 #include "base/failure.hpp"
-#include "base/threads.hpp"
+#include "base/parallel.hpp"
 #include "cell/geometry.hpp"
 #include "protrusion/growth.hpp"
 #include "protrusion/maturation.hpp"

@@ -79,4 +79,10 @@ void add_tension(const CortexState& c, std::size_t i, double T, double dt, std::
   pull(segment(c, i, first), T, dt, force, A);
 }
 
+void ratchet_rest_lengths(CortexState& c, const CellParameters& p, std::span<const std::uint8_t> soft) {
+  const double l0_init = initial_segment_length(p);
+  for (std::size_t i = 0; i < c.size(); ++i)
+    if (!soft[i]) c.l0[i] = ratcheted(c.l0[i], (c.x[c.next(i)] - c.x[i]).norm(), l0_init);
+}
+
 } // namespace matrigrate

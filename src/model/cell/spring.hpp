@@ -4,11 +4,13 @@
 #include "solve/drag_system.hpp"
 #include "state/cortex.hpp"
 
+#include <cstdint>
 #include <span>
 
-/// Springs and dashpots of the cortex, Heck et al. 2020, Eq. (1), terms F^s and F^d. Test:
-/// tests/unit/cell/cell_test.cpp
 namespace matrigrate {
+
+// Springs and dashpots of the cortex, Heck et al. 2020, Eq. (1), terms F^s and F^d. Test:
+// tests/unit/cell/cell_test.cpp
 
 /// Tension of a spring, both ways: k (l - l_0) [nN].
 inline double spring_tension(double k, double l, double l0) { return k * (l - l0); }
@@ -35,5 +37,15 @@ void add_springs(const CortexState& c, const CellParameters& p, std::span<const 
 /// Adds a tension T >= 0 [nN] between the ends of segment i, with its drag dt T/l across the segment.
 void add_tension(const CortexState& c, std::size_t i, double T, double dt, std::uint32_t first, std::span<Vec2> force,
                  DragSystem& A);
+
+// Memory of the cortex: stretched segments do not spring out again once they have shortened (Heck et al. 2020, section
+// "Protrusion retraction"). Test: tests/unit/cell/cell_test.cpp
+
+/// Rest length after a step: l where l_0,init <= l < l_0, else l_0 [um].
+inline double ratcheted(double l0, double l, double l0_init) { return l0_init <= l && l < l0 ? l : l0; }
+
+/// Ratchets the rest lengths of all segments but the soft ones.
+/// @param soft  1 for the segments of growing and maturing protrusions
+void ratchet_rest_lengths(CortexState& c, const CellParameters& p, std::span<const std::uint8_t> soft);
 
 } // namespace matrigrate

@@ -3,7 +3,7 @@
 #include "base/failure.hpp"
 #include "ecm/degradation.hpp"
 #include "simulation/events.hpp"
-#include "simulation/motion.hpp"
+#include "simulation/velocities.hpp"
 
 #include <cmath>
 #include <cstddef>

@@ -1,6 +1,6 @@
 #include "simulation/equations.hpp"
 
-#include "base/stretches.hpp"
+#include "base/parallel.hpp"
 #include "cell/actomyosin.hpp"
 #include "cell/area.hpp"
 #include "cell/bending.hpp"

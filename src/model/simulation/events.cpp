@@ -2,7 +2,7 @@
 
 #include "base/failure.hpp"
 #include "cell/geometry.hpp"
-#include "cell/rest_length.hpp"
+#include "cell/spring.hpp"
 #include "contact/degrade.hpp"
 #include "cues/diffusion.hpp"
 #include "cues/sensing.hpp"

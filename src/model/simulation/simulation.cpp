@@ -1,7 +1,6 @@
 #include "simulation/simulation.hpp"
 
 #include "simulation/march.hpp"
-#include "simulation/same_start.hpp"
 #include "simulation/start.hpp"
 
 #include <fmt/format.h>

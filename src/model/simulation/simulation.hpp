@@ -33,7 +33,7 @@ struct Simulation {
   /// Goes on with other parameters: advances to the next multiple of run.time_step, where a branch of a run can begin,
   /// and takes them from there on. Counts of StepHealth go on.
   /// @throws ConfigurationError naming parameters with which the state was made and which cannot change
-  ///         (simulation/same_start); nothing has happened then
+  ///         (simulation/start.hpp); nothing has happened then
   /// @throws NumericalFailure as matrigrate::march()
   void change(const Parameters& after, const Loads& loads = {}, const Observer& each_step = {});
 

@@ -2,7 +2,7 @@
 
 #include "base/failure.hpp"
 #include "fields/field.hpp"
-#include "parameters/column_unit.hpp"
+#include "parameters/units.hpp"
 
 #include <fmt/format.h>
 

@@ -5,9 +5,10 @@
 #include <optional>
 #include <string>
 
-/// The solve of a step, and the bounds on its velocities. Test: tests/physics/advance_test.cpp,
-/// tests/physics/march_test.cpp
 namespace matrigrate {
+
+// The solve of a step, and the bounds on its velocities. Test: tests/physics/advance_test.cpp,
+// tests/physics/march_test.cpp
 
 /// Bounds of a step.
 struct StepBounds {
@@ -27,5 +28,10 @@ struct StepTooLong {
 /// @throws NumericalFailure if the system was not solved; the state is then unchanged
 std::optional<StepTooLong> solve_velocities(State& s, const Parameters& p, double dt, Workspace& w,
                                             const StepBounds& bounds);
+
+/// Advances positions, density and stress by dt with the velocities of the state (ecm/loop/stress), the stress by
+/// the change of F over the step. Growing protrusions spread, and anchors move with the matrix. Test:
+/// tests/physics/advance_test.cpp
+void move(State& s, const Parameters& p, double dt, Workspace& w);
 
 } // namespace matrigrate

@@ -1,10 +1,10 @@
 #include "parameters/laws/law.hpp"
 
 #include "base/failure.hpp"
+#include "parameters/document.hpp"
 #include "parameters/laws/law_units.hpp"
 #include "parameters/laws/law_values.hpp"
 #include "parameters/nearest.hpp"
-#include "parameters/scan.hpp"
 
 #include <fmt/format.h>
 

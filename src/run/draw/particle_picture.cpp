@@ -2,7 +2,6 @@
 
 #include "draw/colour_bar.hpp"
 #include "draw/svg.hpp"
-#include "draw/ticks.hpp"
 
 #include <fmt/format.h>
 

@@ -1,7 +1,7 @@
 #include "exchange/openvt.hpp"
 
 #include "parameters/schema.hpp"
-#include "tables/row_file.hpp"
+#include "tables/table.hpp"
 
 #include <nlohmann/json.hpp>
 

@@ -1,6 +1,9 @@
 #pragma once
 
+#include "ecm/loop/fibres.hpp"
+#include "parameters/parameters.hpp"
 #include "simulation/workspace.hpp"
+#include "state/ecm.hpp"
 #include "state/matrix_field.hpp"
 
 #include <cstdint>
@@ -8,10 +11,11 @@
 #include <string_view>
 #include <vector>
 
-/// What is kept of a state to be looked at: fields of the matrix, outlines of the cells, living protrusions. Numbers
-/// are stored as float32, rounded to their meaningful precision: 1/16384 um for displacements, four digits for
-/// velocities and stresses. Test: tests/unit/observe/frame_test.cpp
 namespace matrigrate::observe {
+
+// What is kept of a state to be looked at: fields of the matrix, outlines of the cells, living protrusions. Numbers
+// are stored as float32, rounded to their meaningful precision: 1/16384 um for displacements, four digits for
+// velocities and stresses. Test: tests/unit/observe/frame_test.cpp
 
 /// Numbers beside each other, those of an entry together: x0, y0, x1, y1, ...
 using Floats = std::vector<float>;
@@ -121,3 +125,15 @@ FrameHead frame_head(const State& s, const Parameters& p);
 Frame frame(const State& s, const Parameters& p, const Workspace& w);
 
 } // namespace matrigrate::observe
+
+namespace matrigrate {
+
+// Fields of the matrix to look at, one value a particle; NaN in the fluid. Test: tests/unit/observe/frame_test.cpp
+
+/// |u| [um].
+std::vector<double> displacement_field(const EcmState& ecm);
+
+/// Von Mises stress of the fibres, Heck et al. 2020, Eq. (11) [kPa].
+std::vector<double> fibre_stress_field(const EcmState& ecm, const FibreParameters& p, const FibreNetwork& network);
+
+} // namespace matrigrate

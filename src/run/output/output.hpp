@@ -6,7 +6,7 @@
 #include "simulation/workspace.hpp"
 #include "state/state.hpp"
 #include "store/run_memory.hpp"
-#include "tables/row_file.hpp"
+#include "tables/table.hpp"
 
 #include <filesystem>
 #include <functional>

@@ -1,6 +1,5 @@
 #include "report/packed.hpp"
 
-#include "store/base64.hpp"
 #include "store/deflate.hpp"
 
 #include <nlohmann/json.hpp>

@@ -6,7 +6,7 @@
 
 #include <functional>
 
-/// Numbers of many frames in few characters, as viewer/src/unpack.ts describes it. Test:
+/// Numbers of many frames in few characters, as viewer/src/embedded.ts describes it. Test:
 /// tests/unit/report/report_test.cpp
 namespace matrigrate::report {
 

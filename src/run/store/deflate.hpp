@@ -5,8 +5,9 @@
 #include <string>
 #include <string_view>
 
-/// Bytes compressed by zlib, as one stream (RFC 1950). Test: tests/unit/store/store_test.cpp
 namespace matrigrate::store {
+
+// Bytes compressed by zlib, as one stream (RFC 1950). Test: tests/unit/store/store_test.cpp
 
 inline constexpr std::size_t max_bytes_fast = std::size_t{1} << 30U; ///< a frame, and then some
 
@@ -33,5 +34,10 @@ std::string byte_planes(std::span<const Number> values) {
       planes[plane * values.size() + i] = bytes[i * sizeof(Number) + plane];
   return planes;
 }
+
+// Bytes as text. Test: tests/unit/store/store_test.cpp
+
+/// base64 with padding (RFC 4648).
+std::string base64(std::string_view bytes);
 
 } // namespace matrigrate::store

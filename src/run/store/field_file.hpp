@@ -8,25 +8,27 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
-/// fields.h5 and fields.xdmf: the frames of a run for h5py, ParaView and others.
-///
-/// Attributes of the file: program, version, seed, trajectory_hash, scenario. Arrays of numbers of 32 bits, each with
-/// an attribute `units`; one chunk per frame, compressed:
-///   /time [s], one per frame
-///   /matrix/reference, a position per particle; /matrix/position, displacement, velocity, f_degr, pressure, von_mises,
-///   fibre_von_mises, solid: (frames, particles), vectors (frames, particles, 3) with z = 0
-///   /matrix/obstacle, 1 for the particles of rigid obstacles, /matrix/youngs_modulus and other layers of
-///   state/matrix_field.hpp: only where they are not the same everywhere; /matrix/attractant (frames, particles): only
-///   where there is any /nucleus/position: (frames, particles of the nuclei), only of cells with nuclei
-///   /outline/position, front, protrusion, phase, f_mat, curvature, actomyosin_force: (frames, particles of the cortex)
-///   /outline/cell and /protrusions/cell, the number of the cell from 1: only where there are several
-///   /frames/<k>/matrix/position and so on: the same numbers frame by frame, as views (virtual datasets) of the above
-///   /protrusions/frame, id, centre, phase, anchor, f_mat, force: a row for each protrusion alive in a frame
-///   /anchors/frame, id, position, f_mat, force: a row for each protrusion that adheres in a frame, and views of these
-///   in /frames/<k>/anchors/ where there are any
-/// Test: tests/unit/store/field_file_test.cpp
 namespace matrigrate::store {
+
+// fields.h5 and fields.xdmf: the frames of a run for h5py, ParaView and others.
+//
+// Attributes of the file: program, version, seed, trajectory_hash, scenario. Arrays of numbers of 32 bits, each with
+// an attribute `units`; one chunk per frame, compressed:
+//   /time [s], one per frame
+//   /matrix/reference, a position per particle; /matrix/position, displacement, velocity, f_degr, pressure, von_mises,
+//   fibre_von_mises, solid: (frames, particles), vectors (frames, particles, 3) with z = 0
+//   /matrix/obstacle, 1 for the particles of rigid obstacles, /matrix/youngs_modulus and other layers of
+//   state/matrix_field.hpp: only where they are not the same everywhere; /matrix/attractant (frames, particles): only
+//   where there is any /nucleus/position: (frames, particles of the nuclei), only of cells with nuclei
+//   /outline/position, front, protrusion, phase, f_mat, curvature, actomyosin_force: (frames, particles of the cortex)
+//   /outline/cell and /protrusions/cell, the number of the cell from 1: only where there are several
+//   /frames/<k>/matrix/position and so on: the same numbers frame by frame, as views (virtual datasets) of the above
+//   /protrusions/frame, id, centre, phase, anchor, f_mat, force: a row for each protrusion alive in a frame
+//   /anchors/frame, id, position, f_mat, force: a row for each protrusion that adheres in a frame, and views of these
+//   in /frames/<k>/anchors/ where there are any
+// Test: tests/unit/store/field_file_test.cpp
 
 inline constexpr const char* field_file_name = "fields.h5";
 inline constexpr const char* field_index_name = "fields.xdmf";
@@ -85,5 +87,19 @@ observe::Film read_whole_frames(const std::filesystem::path& folder);
 /// @throws InputOutputError naming the file, if it cannot be read
 /// @param each  may take away fields that are not wanted
 observe::Film read_film(const std::filesystem::path& folder, const std::function<void(observe::Frame&)>& each = {});
+
+// The adhesions of a frame as points, for programs that draw fields. Test: tests/unit/store/field_file_test.cpp
+
+/// An entry for each protrusion that adheres, in the order of the frame's protrusions.
+struct Anchors {
+  observe::Floats x;             ///< where they adhere [um]
+  std::vector<std::uint32_t> id; ///< of the protrusions
+  observe::Floats f_mat;         ///< maturation [-]
+  observe::Floats force;         ///< in the adhesion [nN]
+
+  std::size_t size() const { return id.size(); }
+};
+
+Anchors anchors(const observe::Frame& frame);
 
 } // namespace matrigrate::store

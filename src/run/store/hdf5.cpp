@@ -1,7 +1,6 @@
 #include "store/hdf5.hpp"
 
 #include "base/failure.hpp"
-#include "store/own_array.hpp"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "store/own_array.hpp"
+#include "store/hdf5.hpp"
 
 #include "base/failure.hpp"
 #include "store/deflate.hpp"

@@ -1,7 +1,7 @@
 #include "store/saved_frames.hpp"
 
 #include "base/failure.hpp"
-#include "base/time_text.hpp"
+#include "base/text.hpp"
 #include "store/field_file.hpp"
 #include "store/frame_log.hpp"
 

@@ -3,7 +3,7 @@
 #include "base/failure.hpp"
 #include "base/file.hpp"
 #include "observe/readout_table.hpp"
-#include "parameters/scan.hpp"
+#include "parameters/document.hpp"
 #include "tables/csv.hpp"
 #include "tables/naming.hpp"
 #include "tracks/read_tracks.hpp"

@@ -5,7 +5,7 @@
 #include "observe/health.hpp"
 #include "observe/readouts.hpp"
 #include "observe/tracks.hpp"
-#include "tables/row_file.hpp"
+#include "tables/table.hpp"
 
 #include <filesystem>
 #include <span>

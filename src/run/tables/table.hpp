@@ -1,8 +1,13 @@
 #pragma once
 
+#include "base/file.hpp"
+
+#include <cstdint>
+#include <filesystem>
 #include <string>
 #include <string_view>
 #include <utility>
+#include <variant>
 #include <vector>
 
 namespace matrigrate::store {
@@ -26,5 +31,42 @@ struct Table {
 /// back to the same bits, NaN as an empty field, infinities as inf and -inf. The same bytes in every locale.
 /// @throws std::invalid_argument if a row is not as long as columns
 std::string to_csv(const Table& table);
+
+// A CSV file that grows by a row at a time, for runs that may be ended at any moment.
+// Test: tests/unit/tables/run_files_test.cpp
+
+/// A field of a row: a number in the shortest form that reads back to the same bits (NaN: empty), or a word.
+using Field = std::variant<double, std::uint64_t, std::string_view>;
+
+/// A number of things, as a field.
+inline Field count(std::size_t n) { return std::uint64_t{n}; }
+
+/// A line of CSV with its end; words as csv_text (base/text.hpp) writes them.
+std::string csv_line(const std::vector<Field>& fields);
+
+class RowFile {
+public:
+  /// Makes the file anew with the text there is already; it is replaced as a whole or not at all.
+  /// @param columns  names ending in their unit
+  /// @param text     of the whole file; empty: the header is added. Rows are added to it, too, so it outlives this
+  /// @throws InputOutputError naming the path and the reason
+  RowFile(std::filesystem::path path, const std::vector<std::string_view>& columns, std::string& text);
+
+  /// Appends a row and hands it to the system at once; a row that does not fit on the disk is taken back, so that the
+  /// file always has whole lines.
+  /// @throws InputOutputError naming the path and the reason
+  /// @throws std::invalid_argument if the number of fields is not that of the columns
+  void add(const std::vector<Field>& fields);
+
+  /// Waits until all rows are on the disk, which a checkpoint that counts on them needs.
+  /// @throws InputOutputError naming the path and the reason
+  void flush() const { m_file.flush(); }
+
+private:
+  std::string m_name; ///< for messages
+  std::size_t m_columns;
+  std::string* m_text;
+  GrowingFile m_file;
+};
 
 } // namespace matrigrate::store

@@ -1,5 +1,5 @@
 #include "claims/claims.hpp"
-#include "tables/row_file.hpp"
+#include "tables/table.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

@@ -1,7 +1,7 @@
 #include "claims/fields_shown.hpp"
 
-#include "base/csv_text.hpp"
 #include "base/failure.hpp"
+#include "base/text.hpp"
 #include "tables/csv.hpp"
 #include "tables/table.hpp"
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 /// Claims: sentences, each with the conditions on the read-outs of studies that it must meet. They stand as [[claims]]
-/// in study files (read_comparisons.hpp); claims/judge.hpp judges them. Test:
+/// in study files (read_study.hpp); claims/judge.hpp judges them. Test:
 /// tests/unit/study_plan/read_claims_test.cpp
 namespace matrigrate::study {
 

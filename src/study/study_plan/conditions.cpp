@@ -1,7 +1,7 @@
 #include "study_plan/conditions.hpp"
 
-#include "parameters/node.hpp"
-#include "parameters/scan.hpp"
+#include "parameters/assign.hpp"
+#include "parameters/document.hpp"
 
 #include <fmt/format.h>
 

@@ -1,8 +1,8 @@
 #include "study_plan/fault_list.hpp"
 
+#include "parameters/assign.hpp"
+#include "parameters/document.hpp"
 #include "parameters/nearest.hpp"
-#include "parameters/node.hpp"
-#include "parameters/scan.hpp"
 
 #include <fmt/format.h>
 

@@ -2,13 +2,16 @@
 
 #include "study_plan/study.hpp"
 
+#include <nlohmann/json.hpp>
+
 #include <map>
 #include <string>
 #include <vector>
 
-/// How the parameters of a study are called in labels, sentences and figures. Test:
-/// tests/unit/study_plan/plan_test.cpp
 namespace matrigrate::study {
+
+// How the parameters of a study are called in labels, sentences and figures. Test:
+// tests/unit/study_plan/plan_test.cpp
 
 /// The parameters that a study varies, each by a name that no other of them has.
 class Names {
@@ -36,5 +39,15 @@ std::string label_of(const std::vector<Setting>& settings, const Names& names, b
 /// the values of its factors to three digits: "youngs_modulus 138 Pa, viscosity 705 Pa s".
 std::string set_text(const Study& study, std::size_t set);
 std::string point_text(const Study& study, std::size_t point);
+
+// Along what the page of a study draws its points. Test: tests/unit/study_report/study_data_test.cpp
+
+/// The parameters that differ between points, with their values in the order to draw: numbers in the unit of the
+/// parameter, rising, or words. Where the points are no grid of these values: all factor sets by their labels, and the
+/// conditions if there are any.
+nlohmann::ordered_json axes_json(const Study& study);
+
+/// For each point its index along each axis.
+std::vector<nlohmann::ordered_json> places(const Study& study);
 
 } // namespace matrigrate::study

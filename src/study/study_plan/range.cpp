@@ -1,6 +1,6 @@
 #include "study_plan/range.hpp"
 
-#include "parameters/node.hpp"
+#include "parameters/assign.hpp"
 
 #include <fmt/format.h>
 

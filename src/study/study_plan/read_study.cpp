@@ -1,16 +1,14 @@
 #include "study_plan/read_study.hpp"
 
 #include "fields/grids.hpp"
+#include "parameters/assign.hpp"
 #include "parameters/document.hpp"
 #include "parameters/gone.hpp"
 #include "parameters/nearest.hpp"
-#include "parameters/node.hpp"
 #include "parameters/presets.hpp"
 #include "parameters/read.hpp"
-#include "parameters/scan.hpp"
 #include "study_plan/conditions.hpp"
 #include "study_plan/earlier_points.hpp"
-#include "study_plan/read_comparisons.hpp"
 #include "study_plan/sweep.hpp"
 
 #include <fmt/format.h>

@@ -1,8 +1,8 @@
 #include "study_plan/settings.hpp"
 
+#include "parameters/assign.hpp"
 #include "parameters/gone.hpp"
 #include "parameters/nearest.hpp"
-#include "parameters/node.hpp"
 #include "parameters/read.hpp"
 #include "parameters/rules.hpp"
 

@@ -1,6 +1,6 @@
 #include "study_plan/sweep.hpp"
 
-#include "parameters/node.hpp"
+#include "parameters/assign.hpp"
 #include "study_plan/names.hpp"
 
 #include <fmt/format.h>

@@ -1,7 +1,6 @@
+#include "parameters/assign.hpp"
 #include "parameters/document.hpp"
 #include "parameters/nearest.hpp"
-#include "parameters/node.hpp"
-#include "parameters/scan.hpp"
 #include "statistics/sample.hpp"
 #include "study_plan/conditions.hpp"
 #include "study_plan/track_keys.hpp"

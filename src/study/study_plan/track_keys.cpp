@@ -1,8 +1,7 @@
 #include "study_plan/track_keys.hpp"
 
+#include "parameters/assign.hpp"
 #include "parameters/document.hpp"
-#include "parameters/node.hpp"
-#include "parameters/scan.hpp"
 #include "parameters/units.hpp"
 
 #include <fmt/format.h>

@@ -3,7 +3,7 @@
 #include "base/failure.hpp"
 #include "observe/displacement_statistics.hpp"
 #include "observe/readout_table.hpp"
-#include "study_plan/axes.hpp"
+#include "study_plan/names.hpp"
 #include "study_report/run_json.hpp"
 #include "tables/csv.hpp"
 

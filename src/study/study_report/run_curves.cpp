@@ -1,7 +1,7 @@
 #include "study_report/run_curves.hpp"
 
-#include "base/csv_text.hpp"
 #include "base/file.hpp"
+#include "base/text.hpp"
 #include "statistics/sample.hpp"
 #include "tables/cell_tracks.hpp"
 #include "tables/csv.hpp"

@@ -1,6 +1,6 @@
 #include "study_report/run_shapes.hpp"
 
-#include "base/csv_text.hpp"
+#include "base/text.hpp"
 #include "cell/geometry.hpp"
 #include "draw/particle_picture.hpp"
 #include "store/checkpoint.hpp"

@@ -4,7 +4,6 @@
 #include "parameters/schema.hpp"
 #include "report/run_page.hpp"
 #include "statistics/correlation.hpp"
-#include "study_plan/axes.hpp"
 #include "study_plan/names.hpp"
 #include "study_plan/range.hpp"
 #include "study_report/discrepancy_json.hpp"

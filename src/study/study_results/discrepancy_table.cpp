@@ -1,5 +1,5 @@
 #include "study_results/discrepancy.hpp"
-#include "tables/row_file.hpp"
+#include "tables/table.hpp"
 
 #include <algorithm>
 

@@ -12,8 +12,8 @@
 #include "statistics/sample.hpp"
 #include "store/checkpoint.hpp"
 #include "store/run_memory.hpp"
-#include "tables/row_file.hpp"
 #include "tables/state_json.hpp"
+#include "tables/table.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -1,5 +1,5 @@
 #include "study_results/comparison.hpp"
-#include "tables/row_file.hpp"
+#include "tables/table.hpp"
 
 #include <algorithm>
 #include <cmath>

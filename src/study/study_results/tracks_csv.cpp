@@ -3,7 +3,7 @@
 #include "base/failure.hpp"
 #include "base/file.hpp"
 #include "tables/csv.hpp"
-#include "tables/row_file.hpp"
+#include "tables/table.hpp"
 
 #include <fmt/format.h>
 

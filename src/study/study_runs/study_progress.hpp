@@ -4,11 +4,13 @@
 
 #include <cstddef>
 #include <optional>
+#include <string>
 #include <vector>
 
-/// How far the runs of a study are that are being computed, from their files; nothing is written.
-/// Test: tests/apps/study_test.cpp
 namespace matrigrate::study {
+
+// How far the runs of a study are that are being computed, from their files; nothing is written.
+// Test: tests/apps/study_test.cpp
 
 /// A run that a process is computing.
 struct RunningRun {
@@ -25,5 +27,19 @@ struct StudyProgress {
 
 /// @param standings  of all runs, in their order
 StudyProgress progress_of(const StudyFolder& study, const std::vector<Standing>& standings);
+
+// What a study takes. Test: tests/unit/study_runs/study_folder_test.cpp
+
+/// Estimated cost of a study, before anything is computed.
+struct StudyCost {
+  double wall_time = 0.0;        ///< of all runs, one after the other, one thread each [s]
+  double memory_bytes = 0.0;     ///< of the largest run
+  double disk_bytes = 0.0;       ///< of all runs
+  std::vector<double> run_times; ///< of a run at each point [s]
+  std::size_t looked_at = 0;     ///< points that warnings were looked for at
+  std::vector<std::string> warnings;
+};
+
+StudyCost cost(const StudyFolder& study);
 
 } // namespace matrigrate::study

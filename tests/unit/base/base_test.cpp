@@ -4,11 +4,9 @@
 #include "base/parallel.hpp"
 #include "base/points_in.hpp"
 #include "base/random.hpp"
-#include "base/stretches.hpp"
-#include "base/threads.hpp"
-#include "base/time_text.hpp"
+#include "base/text.hpp"
 #include "base/vector.hpp"
-#include "statistics/kolmogorov_smirnov.hpp"
+#include "statistics/distributions.hpp"
 
 #include <gtest/gtest.h>
 #include <sys/resource.h>

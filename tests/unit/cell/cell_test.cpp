@@ -3,7 +3,6 @@
 #include "cell/bending.hpp"
 #include "cell/geometry.hpp"
 #include "cell/repulsion.hpp"
-#include "cell/rest_length.hpp"
 #include "cell/spring.hpp"
 #include "ring.hpp"
 

@@ -2,7 +2,6 @@
 #include "draw/particle_picture.hpp"
 #include "draw/svg.hpp"
 #include "draw/text_plot.hpp"
-#include "draw/ticks.hpp"
 #include "unit/draw/markup.hpp"
 
 #include <gtest/gtest.h>

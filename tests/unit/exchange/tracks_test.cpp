@@ -1,6 +1,5 @@
 #include "exchange/openvt.hpp"
 #include "exchange/run_tracks.hpp"
-#include "exchange/track_files.hpp"
 #include "unit/draw/markup.hpp"
 
 #include <gtest/gtest.h>

@@ -3,7 +3,6 @@
 #include "base/failure.hpp"
 #include "base/file.hpp"
 #include "fields/file_words.hpp"
-#include "fields/formula.hpp"
 #include "fields/grids.hpp"
 #include "fields/samples.hpp"
 

@@ -2,7 +2,6 @@
 #include "ecm/law/material.hpp"
 #include "ecm/loop/fluid.hpp"
 #include "frames.hpp"
-#include "observe/fields.hpp"
 #include "observe/frame.hpp"
 #include "observe/health.hpp"
 #include "sph/neighbours.hpp"

@@ -1,6 +1,6 @@
 #include "base/file.hpp"
 #include "faults.hpp"
-#include "parameters/scan.hpp"
+#include "parameters/document.hpp"
 
 #include <gtest/gtest.h>
 

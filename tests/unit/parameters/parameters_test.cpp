@@ -1,7 +1,6 @@
 #include "base/failure.hpp"
 #include "faults.hpp"
 #include "parameters/closures.hpp"
-#include "parameters/column_unit.hpp"
 #include "parameters/fault_list.hpp"
 #include "parameters/judge.hpp"
 #include "parameters/nearest.hpp"
@@ -9,6 +8,7 @@
 #include "parameters/read.hpp"
 #include "parameters/rules.hpp"
 #include "parameters/schema.hpp"
+#include "parameters/units.hpp"
 #include "parameters/write.hpp"
 
 #include <fmt/format.h>

@@ -1,7 +1,5 @@
 #include "parameters/units.hpp"
 
-#include "parameters/unit_hint.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -2,7 +2,7 @@
 
 #include "base/random.hpp"
 #include "scene.hpp"
-#include "statistics/kolmogorov_smirnov.hpp"
+#include "statistics/distributions.hpp"
 
 #include <gtest/gtest.h>
 

@@ -4,7 +4,7 @@
 #include "cell/geometry.hpp"
 #include "protrusion/membership.hpp"
 #include "scene.hpp"
-#include "statistics/kolmogorov_smirnov.hpp"
+#include "statistics/distributions.hpp"
 
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>

@@ -6,7 +6,7 @@
 #include "protrusion/polarization.hpp"
 #include "scene.hpp"
 #include "sph/kernel.hpp"
-#include "statistics/kolmogorov_smirnov.hpp"
+#include "statistics/distributions.hpp"
 
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>

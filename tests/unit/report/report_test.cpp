@@ -2,7 +2,6 @@
 #include "report/packed.hpp"
 #include "report/run_page.hpp"
 #include "report/verdict_page.hpp"
-#include "store/base64.hpp"
 #include "store/deflate.hpp"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "simulation/adaptive.hpp"
+#include "simulation/march.hpp"
 #include "simulation/step_limits.hpp"
 
 #include <gtest/gtest.h>

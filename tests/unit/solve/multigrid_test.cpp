@@ -1,6 +1,6 @@
 #include "solve/multigrid.hpp"
 
-#include "base/threads.hpp"
+#include "base/parallel.hpp"
 #include "solve/conjugate_gradient.hpp"
 #include "synthetic.hpp"
 

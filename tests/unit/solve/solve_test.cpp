@@ -1,6 +1,6 @@
+#include "solve/coarse_levels.hpp"
 #include "solve/conjugate_gradient.hpp"
 #include "solve/elimination.hpp"
-#include "solve/interpolation.hpp"
 #include "solve/lumped_links.hpp"
 #include "solve/row_blocks.hpp"
 #include "synthetic.hpp"

@@ -1,6 +1,5 @@
 #include "base/failure.hpp"
 #include "base/file.hpp"
-#include "store/base64.hpp"
 #include "store/deflate.hpp"
 #include "store/run_memory.hpp"
 #include "store/trajectory_hash.hpp"

@@ -1,7 +1,7 @@
 #include "study_report/study_data.hpp"
 
 #include "parameters/schema.hpp"
-#include "study_plan/axes.hpp"
+#include "study_plan/names.hpp"
 #include "study_report/discrepancy_json.hpp"
 #include "tables/csv.hpp"
 #include "unit/study_plan/studies.hpp"

@@ -3,7 +3,7 @@
 #include "base/failure.hpp"
 #include "observe/readout_table.hpp"
 #include "tables/csv.hpp"
-#include "tables/row_file.hpp"
+#include "tables/table.hpp"
 #include "unit/study_plan/studies.hpp"
 
 #include <gtest/gtest.h>

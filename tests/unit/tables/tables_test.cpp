@@ -1,7 +1,6 @@
-#include "base/csv_text.hpp"
 #include "base/failure.hpp"
+#include "base/text.hpp"
 #include "tables/csv.hpp"
-#include "tables/row_file.hpp"
 #include "tables/table.hpp"
 
 #include <gtest/gtest.h>

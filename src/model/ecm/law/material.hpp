@@ -1,16 +1,27 @@
 #pragma once
 
 #include "base/vector.hpp"
-#include "ecm/law/tensor.hpp"
 #include "parameters/parameters.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-/// Laws of the intact matrix at a point: isotropic elasticity in rate form, plane strain. Pure functions, templates
-/// over the number type: vectorised loops over particles and code for a single particle call the same functions and get
-/// the same bits. Test: tests/unit/ecm/law/law_test.cpp, tests/unit/ecm/loop/stress_test.cpp
 namespace matrigrate {
+
+/// Components of a tensor of the plane, for any number type; the argument type of the laws.
+template <class Real>
+struct TensorOf {
+  Real xx, xy, yx, yy;
+};
+
+using Tensor = TensorOf<double>;
+
+inline Tensor components(const Mat2& A) { return {A(0, 0), A(0, 1), A(1, 0), A(1, 1)}; }
+inline Mat2 matrix(const Tensor& A) { return (Mat2() << A.xx, A.xy, A.yx, A.yy).finished(); }
+
+// Laws of the intact matrix at a point: isotropic elasticity in rate form, plane strain. Pure functions, templates
+// over the number type: vectorised loops over particles and code for a single particle call the same functions and get
+// the same bits. Test: tests/unit/ecm/law/law_test.cpp, tests/unit/ecm/loop/stress_test.cpp
 
 /// Moduli that follow from E and nu [kPa].
 struct Moduli {
@@ -109,6 +120,15 @@ inline Mat2 velocity_gradient(const Mat2& rate, const Mat2& F) {
 inline double von_mises(const Mat2& S) {
   const double S_zz = -S.trace();
   return std::sqrt(1.5 * (S.squaredNorm() + S_zz * S_zz));
+}
+
+/// Pressure of a fluid or partly fluid particle: (1 - f) K max(0, rho - 1) [kPa]. It resists compression and not
+/// tension (MODEL.md, I6). Test: tests/unit/ecm/loop/loop_test.cpp
+/// @param f  f_degr, 1 intact, 0 fluid [-]   @param rho  summed density over that of the lattice [-]
+template <class Real>
+[[gnu::always_inline]] inline Real fluid_pressure(const Real& f, const Real& rho, double K) {
+  using std::max;
+  return (1.0 - f) * max(Real(0.0), pressure(rho, K));
 }
 
 } // namespace matrigrate

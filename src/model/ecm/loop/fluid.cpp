@@ -1,7 +1,7 @@
 #include "ecm/loop/fluid.hpp"
 
 #include "base/parallel.hpp"
-#include "ecm/law/fluid.hpp"
+#include "ecm/law/material.hpp"
 #include "state/initial.hpp"
 
 #include <algorithm>

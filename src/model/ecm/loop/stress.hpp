@@ -8,10 +8,11 @@
 #include <span>
 #include <vector>
 
-/// Elastic forces of the solid over reference neighbours, and the update of its stress (Heck et al. 2020, Eq. (2),
-/// stress term; total-Lagrangian form and hourglass penalty: MODEL.md, I4 and I5). Test:
-/// tests/unit/ecm/loop/stress_test.cpp
 namespace matrigrate {
+
+// Elastic forces of the solid over reference neighbours, and the update of its stress (Heck et al. 2020, Eq. (2),
+// stress term; total-Lagrangian form and hourglass penalty: MODEL.md, I4 and I5). Test:
+// tests/unit/ecm/loop/stress_test.cpp
 
 /// Deviation of a pair from the local deformation (hourglass error), e_ij = (F_i + F_j)/2 X_ij - x_ij [um]; 0 for every
 /// linear field.
@@ -55,7 +56,7 @@ void follow_deformation(const EcmState& ecm, const Reference& ref, SolidFields& 
 ///   t_z V_0 sum_j V_0 f_i f_j (P_i B_i + P_j B_j) grad_0 W_ij  +  t_z sum_j c_ij e_ij,
 /// where P_i contains J sigma F^-T and the stress that is conjugate to e_ij through F_i. Pair terms are
 /// antisymmetric (momentum), and adjoint to deformation_rate (power balance), hence free of torque.
-/// Where E varies from particle to particle, ecm/loop/graded.hpp states the terms.
+/// Where E varies from particle to particle, ecm/loop/stress.hpp states the terms.
 /// @param solid  updated here
 void add_elastic_forces(const EcmState& ecm, const EcmParameters& p, const Reference& ref, SolidFields& solid,
                         std::span<Vec2> force);
@@ -78,5 +79,20 @@ void advance_stress_of(EcmState& ecm, std::size_t i, const Mat2& L, const EcmPar
 
 /// Counts the particles whose density is at a bound.
 DensityBounds count_density_bounds(const EcmState& ecm, const EcmParameters& p);
+
+// The elastic forces of a matrix whose Young's modulus varies from particle to particle (EcmState::E_ratio): those of
+// ecm/loop/stress.hpp with K_i, G_i in proportion to E_i, and with the mean of E_i and E_j in the hourglass penalty of
+// a pair, so that pair terms stay antisymmetric (MODEL.md, I5). Test: tests/unit/ecm/loop/graded_test.cpp
+
+/// (E_i + E_j)/2 over ecm.youngs_modulus [-].
+inline double mean_stiffness(const EcmState& ecm, std::size_t i, std::size_t j) {
+  return ecm.E_ratio.empty() ? 1.0 : 0.5 * (ecm.E_ratio[i] + ecm.E_ratio[j]);
+}
+
+/// Adds the elastic forces to `force` as add_elastic_forces() does, one particle at a time [nN].
+/// @param ecm    with one E_ratio a particle
+/// @param solid  with the deformation of `ecm`; PB and hourglass are computed here
+void add_graded_elastic_forces(const EcmState& ecm, const EcmParameters& p, const Reference& ref, SolidFields& solid,
+                               std::span<Vec2> force);
 
 } // namespace matrigrate

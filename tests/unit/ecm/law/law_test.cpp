@@ -1,6 +1,5 @@
 #include "base/vector.hpp"
 #include "ecm/law/fibre_table.hpp"
-#include "ecm/law/fluid.hpp"
 #include "ecm/law/material.hpp"
 #include "ecm/law/viscosity.hpp"
 #include "pack.hpp"

@@ -1,4 +1,4 @@
-#include "ecm/loop/graded.hpp"
+#include "ecm/loop/stress.hpp"
 
 #include "base/random.hpp"
 #include "ecm/loop/deformation.hpp"
