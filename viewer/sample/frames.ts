@@ -1,8 +1,7 @@
 /** Frames that follow given tracks and protrusions: a plausible film, drawn and not simulated. */
 import type { FrameProtrusion, Frames, PhaseNumber, ProtrusionRow, Tracks } from "../src/contract";
 import { outlinePoints as n } from "./life";
-import { pack } from "./pack";
-import { random } from "./random";
+import { pack, random } from "./pack";
 
 export interface FilmOptions {
   radius: number;

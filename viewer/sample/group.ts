@@ -1,6 +1,6 @@
 /** A made-up run of several cells: copies of one, each moved elsewhere. */
 import type { Packed, RunPage, Tracks } from "../src/contract";
-import { unpack, valueAt } from "../src/unpack";
+import { unpack, valueAt } from "../src/embedded";
 import { pack } from "./pack";
 
 /** The frames of a packed array, each as many times one after the other as there are shifts, moved by them. */

@@ -1,6 +1,6 @@
 /** A made-up life of a cell: a walk and protrusions that look like those of the model, without any physics. */
 import type { ProtrusionRow, Tracks } from "../src/contract";
-import { normal, type Random } from "./random";
+import { normal, type Random } from "./pack";
 
 export const outlinePoints = 235;
 

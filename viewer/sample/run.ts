@@ -4,7 +4,7 @@ import { join } from "node:path";
 import type { ChangedParameter, NamedValue, ProtrusionRow, RunPage, Tracks } from "../src/contract";
 import { sampleFrames } from "./frames";
 import { outlinePoints, protrusionRows, tracks as madeTracks } from "./life";
-import { random } from "./random";
+import { random } from "./pack";
 
 const citation =
   "Heck T, Vargas DA, Smeets B, Ramon H, Van Liedekerke P, Van Oosterwyck H (2020) The role of actin protrusion dynamics in cell " +

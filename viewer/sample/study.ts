@@ -1,6 +1,6 @@
 /** A made-up study: stiffness of the matrix against sensitivity of adhesions, twelve runs each. */
 import type { GridPoint, StudyDiscrepancy, StudyGroup, StudyPage, StudyRun, StudyTest } from "../src/study/contract";
-import { normal, random, type Random } from "./random";
+import { normal, type Random, random } from "./pack";
 import { sampleRun } from "./run";
 
 const stiffness = [50, 100, 200, 300, 400];

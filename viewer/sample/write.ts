@@ -1,6 +1,6 @@
 /** Writes pages to look at: `npm run sample [-- RUN_FOLDER]`. */
 import { mkdirSync, writeFileSync } from "node:fs";
-import { embed } from "./embed";
+import { embed } from "./pack";
 import { runFromFolder, sampleRun } from "./run";
 import { sampleStudy } from "./study";
 import { sampleVerdicts } from "./verdicts";

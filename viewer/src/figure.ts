@@ -1,8 +1,7 @@
 /** A plotly plot in the look of the page, drawn when it comes near the window or is printed, and again for another look. */
 import Plotly from "plotly.js-cartesian-dist-min";
-import { h, isDark, onDarkMode } from "./dom";
+import { h, isDark, onDarkMode, onPrint } from "./dom";
 import { roundStep } from "./numbers";
-import { onPrint } from "./paper";
 import { lettered, typeset, units, unmarked, wrapped } from "./words";
 
 export type Json = Record<string, unknown>;

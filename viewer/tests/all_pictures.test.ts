@@ -12,8 +12,7 @@ import { basename, join } from "node:path";
 import { test } from "node:test";
 import { pathToFileURL } from "node:url";
 import type { Page } from "playwright-core";
-import { allDrawn, launch } from "./browser";
-import { inkDifference, narrow } from "./pictures";
+import { allDrawn, inkDifference, launch, narrow } from "./browser";
 
 const program = process.env["MATRIGRATE_PROGRAM"];
 const source = process.env["MATRIGRATE_SOURCE"];

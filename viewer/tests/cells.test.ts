@@ -6,11 +6,10 @@ import { groupOf } from "../sample/group";
 import { sampleRun } from "../sample/run";
 import { sampleStudy } from "../sample/study";
 import { cellColourCount, cellColours } from "../src/colour";
-import { cellTextAt } from "../src/run/cell_at";
+import { cellTextAt } from "../src/run/describe";
 import { cellParts, tracksOfCells } from "../src/run/cells";
 import type { Film } from "../src/run/frames";
-import { launch, open } from "./browser";
-import { field } from "./fields";
+import { field, launch, open } from "./browser";
 
 const one = () => sampleRun({ radius: 110, interval: 600, end: 7200, fibres: false });
 const shifts: [number, number][] = [

@@ -6,8 +6,7 @@ import { sampleRun } from "../sample/run";
 import { fibresOf } from "../src/run/bonds";
 import type { Film } from "../src/run/frames";
 import { fibreLayer, strainAt } from "../src/run/over/fibres";
-import { launch, open, still, until } from "./browser";
-import { field } from "./fields";
+import { field, launch, open, still, until } from "./browser";
 
 
 /** Particles of a square lattice, 5 by 5, and of a hexagonal one. */

@@ -3,8 +3,7 @@ import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { test } from "node:test";
 import { sampleRun } from "../sample/run";
-import { launch, open, settled } from "./browser";
-import { difference } from "./pictures";
+import { difference, launch, open, settled } from "./browser";
 
 test("pictures of the hook are those of the player", async () => {
   const browser = await launch();

@@ -1,10 +1,10 @@
 /** The live page without its simulation: the film that grows, and scenarios in addresses and files. */
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { unable } from "../src/live/able";
+import { unable } from "../src/live/troubles";
 import { paceText } from "../src/live/bar";
 import { thinned } from "../src/live/curves";
-import { exported } from "../src/live/export";
+import { exported } from "../src/live/keep";
 import { LiveFilm, type FilmImage } from "../src/live/film";
 import type { CoreFrame, Head, TrackRow } from "../src/live/protocol";
 import { drawnFiles, fresh, fromHash, given, now, pascals, toHash, type Scenario, type StrokeKind } from "../src/live/scenario";
@@ -12,7 +12,7 @@ import { csv, resultsOf } from "../src/live/results";
 import { addTracks, noTracks } from "../src/live/scene";
 import { tracksOfCells } from "../src/run/cells";
 import { extremes, layers } from "../src/run/matrix/layers";
-import { valueAt } from "../src/unpack";
+import { valueAt } from "../src/embedded";
 
 const head: Head = {
   t_s: 0,

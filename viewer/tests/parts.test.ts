@@ -1,6 +1,12 @@
 /** The parts of the pages that need no browser. */
 import assert from "node:assert/strict";
 import { test } from "node:test";
+import { protrusionRows, tracks } from "../sample/life";
+import { pack, random } from "../sample/pack";
+import { sampleStudy } from "../sample/study";
+import { unpack, valueAt } from "../src/embedded";
+import { travelled, travelledText } from "../src/live/results";
+import { addTracks, noTracks } from "../src/live/scene";
 import { pretty, pText, readable, roundStep, stars, ticks, timeText } from "../src/numbers";
 import { Camera } from "../src/run/camera";
 import { Clock } from "../src/run/clock";
@@ -9,9 +15,6 @@ import { speeds } from "../src/run/plots";
 import { bars } from "../src/run/timeline";
 import { brackets, sign, starsNote, story } from "../src/study/brackets";
 import { grid } from "../src/study/groups";
-import { protrusionRows, tracks } from "../sample/life";
-import { random } from "../sample/random";
-import { sampleStudy } from "../sample/study";
 
 test("numbers as people read them", () => {
   assert.equal(readable(0.74524), "0.7452");
@@ -137,4 +140,85 @@ test("a caption counts the comparisons that have a p, and names no stars where t
   assert.match(starsNote(tests.slice(0, 2), readout), /over 1 comparison\.$/);
   assert.equal(starsNote(tests.slice(0, 1), readout), "");
   assert.equal(starsNote(tests.map((t) => ({ ...t, n_a: 2 })), readout), "");
+});
+
+// Packed arrays come back as they were, and broken ones are named.
+
+const frames = [
+  [-163.8, 0, 1.234, 163.8],
+  [163.8, -0.005, 1.24, -163.8],
+  [0, 0.3, -1, 2],
+];
+
+for (const delta of [false, true])
+  test(`int16 ${delta ? "as differences, which wrap" : "as it is"}`, async () => {
+    const field = await unpack(pack(frames, { type: "int16", components: 2, scale: 0.005, offset: 0, delta }), "x", 3);
+    assert.equal(field.stride, 4);
+    frames.forEach((frame, k) =>
+      frame.forEach((v, i) => assert.ok(Math.abs(valueAt(field, k, i) - v) <= 0.0025 + 1e-9)),
+    );
+  });
+
+test("uint8 is clamped to its limits and wraps as differences", async () => {
+  const given = [
+    [-60, 60, 0],
+    [60, -60, 1000],
+    [-1000, 3, 60],
+  ];
+  const field = await unpack(
+    pack(given, { type: "uint8", components: 1, scale: 120 / 255, offset: -60, delta: true }),
+    "pressure",
+    3,
+  );
+  given.forEach((frame, k) =>
+    frame.forEach((v, i) =>
+      assert.ok(Math.abs(valueAt(field, k, i) - Math.min(60, Math.max(-60, v))) <= 60 / 255 + 1e-9),
+    ),
+  );
+});
+
+test("bytes of an int16 frame: all low ones, then all high ones", async () => {
+  // zlib stream of 01 03 02 04: q = 0x0201, 0x0403
+  const { deflateSync } = await import("node:zlib");
+  const data = deflateSync(Uint8Array.from([0x01, 0x03, 0x02, 0x04])).toString("base64");
+  const field = await unpack(
+    { type: "int16", components: 1, per_frame: 2, scale: 1, offset: 0, delta: false, data },
+    "x",
+    1,
+  );
+  assert.deepEqual([...field.q], [0x0201, 0x0403]);
+});
+
+test("what is broken is named", async () => {
+  const good = pack(frames, { type: "int16", components: 2, scale: 1, offset: 0, delta: false });
+  await assert.rejects(unpack(good, "outline", 4), /outline: has 24 bytes instead of 32/);
+  await assert.rejects(unpack({ ...good, data: "AAAA" }, "outline", 3), /outline: cannot be unpacked/);
+});
+
+// Distance and speed from the start, as the live page says them.
+
+const row = (t: number, x: number, y: number, cell?: number): [number, ...number[]] => [t, x, y, 0, 0, 0, 0, ...(cell === undefined ? [] : [cell])];
+const walked = (rows: number[][]) => {
+  const tracks = noTracks();
+  addTracks(tracks, rows as Parameters<typeof addTracks>[1]);
+  return tracks;
+};
+
+test("distance and speed from the start, at the time that is shown", () => {
+  const tracks = walked([row(0, 5, 5), row(1800, 5, 9), row(3600, 8, 9), row(7200, 8, 5)]);
+  assert.deepEqual(travelled(tracks, 3600), { net: 5, path: 7, speed: 5 });
+  assert.deepEqual(travelled(tracks, 3700), { net: 5, path: 7, speed: 5 }, "the last row counts");
+  assert.deepEqual(travelled(tracks, 7200), { net: 3, path: 11, speed: 1.5 });
+  assert.equal(travelledText(tracks, 7200), "3 \u00b5m from the start, 1.5 \u00b5m/h; path 11 \u00b5m");
+});
+
+test("no speed before ten minutes, and nothing without tracks", () => {
+  assert.deepEqual(travelled(walked([row(0, 0, 0), row(599, 1, 0)]), 599), { net: 1, path: 1 });
+  assert.deepEqual(travelled(walked([row(0, 0, 0), row(600, 1, 0)]), 600), { net: 1, path: 1, speed: 6 });
+  assert.deepEqual(travelled(noTracks(), 100), { net: 0, path: 0 });
+});
+
+test("of several cells the distances of the first ones", () => {
+  const tracks = walked([0, 3600].flatMap((t) => [1, 2, 3, 4, 5].map((k) => row(t, (k * t) / 3600, 0, k))));
+  assert.equal(travelledText(tracks, 3600, 2), "From the start: 1, 2 \u00b5m and 3 more");
 });

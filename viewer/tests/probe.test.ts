@@ -2,10 +2,9 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { sampleRun } from "../sample/run";
-import { cellTextAt, isInside } from "../src/run/cell_at";
-import { description } from "../src/run/describe";
+import { cellTextAt, description, isInside } from "../src/run/describe";
 import { film, outlineAt } from "../src/run/frames";
-import { valueAt } from "../src/unpack";
+import { valueAt } from "../src/embedded";
 import { layers } from "../src/run/matrix/layers";
 import { probeText } from "../src/run/probe";
 import { launch, open, settled } from "./browser";

@@ -7,8 +7,7 @@ import { join } from "node:path";
 import { test } from "node:test";
 import { pathToFileURL } from "node:url";
 import type { Browser, Page } from "playwright-core";
-import { launch, shot, until } from "./browser";
-import { difference } from "./pictures";
+import { difference, launch, shot, until } from "./browser";
 
 const program = process.env["MATRIGRATE_PROGRAM"];
 

@@ -4,10 +4,9 @@ import { readFileSync } from "node:fs";
 import { test } from "node:test";
 import type { Page } from "playwright-core";
 import { sampleRun } from "../sample/run";
-import { momentHash, momentOf, momentTime } from "../src/run/save/moment";
+import { momentHash, momentOf, momentTime } from "../src/run/save/link";
 import { fileName } from "../src/run/save/saving";
-import { difference } from "./pictures";
-import { launch, open, until } from "./browser";
+import { difference, launch, open, until } from "./browser";
 
 const run = sampleRun({ radius: 60, interval: 600, end: 7200 });
 const time = (page: Page) => page.locator(".stage .time").textContent();

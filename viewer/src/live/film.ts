@@ -6,7 +6,7 @@ import type { FrameProtrusion, PhaseNumber } from "../contract";
 import type { Film } from "../run/frames";
 import { fibresOf } from "../run/bonds";
 import { cellParts, type CellPart } from "../run/cells";
-import type { Field } from "../unpack";
+import type { Field } from "../embedded";
 import type { CoreFrame, CoreMatrix, Head } from "./protocol";
 
 /** Moments of the past, and the newest ones, that are kept. */

@@ -3,8 +3,8 @@ import { fault, h } from "../dom";
 import "../page.css";
 import "../run/styles";
 import "./live.css";
-import { about } from "./about";
-import { unable } from "./able";
+import { about } from "./lesson";
+import { unable } from "./troubles";
 import { Live } from "./live";
 
 const page = document.getElementById("page");

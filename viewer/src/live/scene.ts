@@ -15,7 +15,7 @@ import { curves, type Curves } from "./curves";
 import type { LiveFilm } from "./film";
 import type { Head, TrackRow } from "./protocol";
 import type { Stroke } from "./scenario";
-import { travelledText } from "./travelled";
+import { travelledText } from "./results";
 
 /** Typical values, which scale arrows and colours [um, um/h, nN]. */
 const usual = { displacement: 3, velocity: 40, force: 2 };

@@ -1,6 +1,6 @@
 /** Fibres from the bonds of the lattice: which particles each of them joins. They are the same at all times. */
 import type { FibreData } from "../contract";
-import { valueAt, type Field } from "../unpack";
+import { type Field, valueAt } from "../embedded";
 
 export interface Fibres {
   /** Particles at both ends of each fibre. */

@@ -1,6 +1,6 @@
 /** The stored frames, unpacked, and the place of a time among them. */
 import type { FrameProtrusion, Frames, LayerWords, RunPage } from "../contract";
-import { unpack, valueAt, type Field } from "../unpack";
+import { type Field, unpack, valueAt } from "../embedded";
 import { fibresOf, type Fibres } from "./bonds";
 import type { Box } from "./camera";
 import { cellParts, type CellPart } from "./cells";

@@ -14,10 +14,9 @@ import {
 import { phaseNames } from "../contract";
 import { h, isDark, s } from "../dom";
 import { hasColours } from "./over/edge";
-import { measuredLine } from "./over/measured";
+import { measuredLine, obstacleColour, obstacleColourOnDark } from "./over/marks";
 import { readable } from "../numbers";
 import { tractionColour } from "./over/arrows";
-import { obstacleColour, obstacleColourOnDark } from "./over/obstacles";
 import { titleOf, type Layer } from "./matrix/layers";
 import type { LayerScale } from "./matrix/scale";
 import type { Stage } from "./stage";

@@ -1,6 +1,5 @@
 /** Beside the stage: what the matrix is coloured by, what is drawn over it, and the legend of both. */
-import { h, onDarkMode } from "../dom";
-import { onPrint } from "../paper";
+import { h, onDarkMode, onPrint } from "../dom";
 import type { ArrowKind } from "./over/arrows";
 import { edgeChoice, edges } from "./over/edge";
 import type { Film } from "./frames";

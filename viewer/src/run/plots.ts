@@ -6,7 +6,7 @@ import { measuredColour, measuredOf, until, type MeasuredTrack } from "../measur
 import { readable, roundStep, ticks } from "../numbers";
 import { coloursOf, tracksOfCells, type CellTracks } from "./cells";
 import type { Clock } from "./clock";
-import { startOf } from "./over/measured";
+import { startOf } from "./over/marks";
 
 /** Drawn once in these units and scaled by the browser only down, so that text keeps a readable size. */
 const margin = { left: 60, right: 14, top: 12, bottom: 40 };

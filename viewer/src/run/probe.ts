@@ -1,7 +1,7 @@
 /** The value of the layer under the pointer or, by keyboard, in the middle of the view, and what of a cell lies there. */
 import { h } from "../dom";
 import { readable } from "../numbers";
-import { cellTextAt } from "./cell_at";
+import { cellTextAt } from "./describe";
 import type { Layer } from "./matrix/layers";
 import type { Stage } from "./stage";
 

@@ -1,6 +1,5 @@
 /** The stage: two canvases, matrix below and cell above, one camera, and the gestures that move it. */
-import { h, isDark, onDarkMode, onResize } from "../dom";
-import { onPaper, onPrint } from "../paper";
+import { h, isDark, onDarkMode, onPaper, onPrint, onResize } from "../dom";
 import type { RunPage } from "../contract";
 import { measuredOf, type Measured } from "../measured";
 import { Camera, type Box } from "./camera";

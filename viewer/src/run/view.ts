@@ -1,7 +1,6 @@
 /** The view of a run: player, path and protrusions, all at the same time. */
 import type { RunPage } from "../contract";
-import { h, onResize, section } from "../dom";
-import { onPrint } from "../paper";
+import { h, onPrint, onResize, section } from "../dom";
 import { Clock } from "./clock";
 import { film } from "./frames";
 import { player } from "./player";

@@ -1,8 +1,7 @@
 /** Chosen runs of a study: one, or two beside each other on one clock, with player, path and protrusions. */
 import type { StudyPage, StudyPlayer } from "./contract";
-import { h, section } from "../dom";
+import { h, onPrint, section } from "../dom";
 import { pretty } from "../numbers";
-import { onPrint } from "../paper";
 import { SharedScales } from "../run/matrix/shared";
 import { commonClock, runView, type RunView } from "../run/view";
 import { said, unmarked } from "../words";

@@ -6,9 +6,8 @@ import "../page.css";
 import { verdict } from "../study/lists";
 import "../study/study.css";
 import type { Check, Statement, VerdictPage } from "./contract";
-import { picture, plot } from "./plots";
+import { picture, plot, studyId, studySection } from "./plots";
 import { lettered, units } from "../words";
-import { studyId, studySection } from "./studies";
 import "./verdicts.css";
 
 const statementId = (s: Statement): string => `row-${s.id}`;

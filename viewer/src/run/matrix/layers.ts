@@ -1,6 +1,6 @@
 /** What the matrix can be coloured by: one entry a quantity, with its colours, limits and legend. */
 import type { MapKey } from "../../colour";
-import { valueAt, type Field } from "../../unpack";
+import { type Field, valueAt } from "../../embedded";
 import { solidFrom, usualDisplacement, type Film } from "../frames";
 
 export interface Layer {

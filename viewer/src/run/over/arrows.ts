@@ -2,7 +2,7 @@
 import colours from "../../colours.json";
 import type { Tracks } from "../../contract";
 import { roundStep } from "../../numbers";
-import { valueAt } from "../../unpack";
+import { valueAt } from "../../embedded";
 import type { Camera } from "../camera";
 import { between, solidFrom, type Film, type Place } from "../frames";
 import { arrow, edged, ink, labelFont, textWidth, type Pen } from "./pen";

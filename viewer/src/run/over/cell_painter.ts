@@ -3,7 +3,7 @@ import { nucleusColour, phaseColours, phaseColoursOnDark } from "../../colour";
 import type { FrameProtrusion, Tracks } from "../../contract";
 import type { MeasuredTrack } from "../../measured";
 import { roundStep } from "../../numbers";
-import { valueAt, type Field } from "../../unpack";
+import { type Field, valueAt } from "../../embedded";
 import {
   paintArrowKeys,
   paintArrows,
@@ -23,8 +23,7 @@ import { between, outlineAt, type Film, type Place } from "../frames";
 import type { Shown } from "../matrix/layers";
 import type { Scale } from "../matrix/scale";
 import { paintFibres } from "./fibres";
-import { paintMeasured } from "./measured";
-import { paintObstacles } from "./obstacles";
+import { paintMeasured, paintObstacles } from "./marks";
 import { edged, ink, labelFont, textWidth, type Pen } from "./pen";
 
 export interface CellScene {

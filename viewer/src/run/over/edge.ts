@@ -4,7 +4,7 @@ import { h } from "../../dom";
 import { readable } from "../../numbers";
 import type { Coloured } from "../stage_view";
 import { titleOf, type Shown } from "../matrix/layers";
-import type { Field } from "../../unpack";
+import type { Field } from "../../embedded";
 import type { Camera } from "../camera";
 import type { CellPart } from "../cells";
 import { between, type Film, type Place } from "../frames";

@@ -3,7 +3,7 @@
  * |x_ij|/|X_ij| - 1, which follows from where their ends are. They are the same at all times; one with an end in the fluid is gone.
  */
 import { css, mapped } from "../../colour";
-import { valueAt } from "../../unpack";
+import { valueAt } from "../../embedded";
 import type { Fibres } from "../bonds";
 import type { Camera } from "../camera";
 import { between, solidFrom, type Film, type Place } from "../frames";

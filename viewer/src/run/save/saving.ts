@@ -2,8 +2,7 @@
 import type { RunPage } from "../../contract";
 import { h } from "../../dom";
 import type { Clock } from "../clock";
-import { linkButton } from "./link";
-import { momentTime } from "./moment";
+import { linkButton, momentTime } from "./link";
 import { png, pngWidth, svg } from "./picture";
 import { record, recordable, type Recording } from "./record";
 import type { Stage } from "../stage";

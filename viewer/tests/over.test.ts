@@ -1,13 +1,16 @@
 /** Arrows have the direction and the length of what they stand for, and are seen on any ground. */
 import assert from "node:assert/strict";
-import { test } from "node:test";
+import { readFileSync } from "node:fs";
+import { after, before, test } from "node:test";
+import type { Browser } from "playwright-core";
 import { sampleRun } from "../sample/run";
-import { paintArrows, paintPolarization, paintTraction, pixelsPerForce, usual } from "../src/run/over/arrows";
 import { Camera } from "../src/run/camera";
 import { film, outlineAt, placeAt } from "../src/run/frames";
 import { layers } from "../src/run/matrix/layers";
-import type { Pen } from "../src/run/over/pen";
 import { isDarkGround, LayerScale } from "../src/run/matrix/scale";
+import { paintArrows, paintPolarization, paintTraction, pixelsPerForce, usual } from "../src/run/over/arrows";
+import type { Pen } from "../src/run/over/pen";
+import { launch, open, until } from "./browser";
 
 const run = sampleRun({ radius: 60, interval: 600, end: 7200 });
 
@@ -97,4 +100,65 @@ test("displacement and velocity are drawn with an edge, and velocity not before 
   const { pen, shafts } = recorder();
   paintArrows(pen, { ...scene, place: { frame: 0, next: 0, fraction: 0 } }, "velocity", 20);
   assert.equal(shafts.length, 0);
+});
+
+// The nucleus of a cell is drawn over its body and explained; without any there is no word of it.
+
+let browser: Browser;
+before(async () => {
+  browser = await launch();
+});
+after(async () => {
+  await browser.close();
+});
+
+async function cellGroup(nucleus: boolean): Promise<string> {
+  const run = sampleRun({ radius: 60, interval: 600, end: 1200, fibres: false });
+  if (run.frames && nucleus) run.frames.outline.nucleus = run.frames.outline.x;
+  const { page, errors } = await open(browser, "run", JSON.stringify(run));
+  const entry = page.getByText("nucleus", { exact: true });
+  if (nucleus) await until(async () => await entry.isVisible(), "the nucleus is explained");
+  const [download] = await Promise.all([
+    page.waitForEvent("download"),
+    page.getByRole("button", { name: "Save SVG" }).click(),
+  ]);
+  assert.equal(await entry.count(), nucleus ? 1 : 0);
+  assert.deepEqual(errors, []);
+  const svg = readFileSync(await download.path(), "utf8");
+  await page.context().close();
+  return /<g id="cell">(.*?)<g id="protrusions">/s.exec(svg)?.[1] ?? "";
+}
+
+test("a nucleus is drawn over the body of its cell, and not there without one", async () => {
+  assert.match(await cellGroup(true), /#27406b/);
+  assert.doesNotMatch(await cellGroup(false), /#27406b/);
+});
+
+// Rigid obstacles are drawn over every layer, explained, and saved; without any there is no word of them.
+
+test("obstacles are drawn over every layer, explained and saved, and not there without any", async () => {
+  const run = sampleRun({ radius: 60, interval: 600, end: 1200, fibres: false });
+  if (run.frames)
+    run.frames.obstacles_um = [
+      [30, 30],
+      [32, 30],
+    ];
+  const { page, errors } = await open(browser, "run", JSON.stringify(run));
+  const entry = page.getByText("rigid obstacle", { exact: true });
+  await until(async () => await entry.isVisible(), "obstacles are explained");
+  await page.getByRole("button", { name: "The whole matrix" }).click();
+  for (const layer of ["degradation", "von_mises"]) {
+    await page.locator(`input[value=${layer}]`).check();
+    const [download] = await Promise.all([
+      page.waitForEvent("download"),
+      page.getByRole("button", { name: "Save SVG" }).click(),
+    ]);
+    const svg = readFileSync(await download.path(), "utf8");
+    const group = /<g id="obstacles">(.*?)<\/g>/s.exec(svg)?.[1] ?? "";
+    assert.equal((/ d="([^"]*)"/.exec(group)?.[1]?.match(/M/g) ?? []).length, 2, `two squares over ${layer}: ${group}`);
+  }
+  assert.deepEqual(errors, []);
+  await page.context().close();
+  const plain = await open(browser, "run", JSON.stringify(sampleRun({ radius: 60, end: 1200, fibres: false })));
+  assert.equal(await plain.page.getByText("rigid obstacle").count(), 0);
 });

@@ -1,8 +1,10 @@
 /** Measured tracks over the matrix: as far as they were at the time shown, from the start of the simulated path. */
+import colours from "../../colours.json";
 import type { Tracks } from "../../contract";
-import { until, type MeasuredTrack } from "../../measured";
+import { type MeasuredTrack, until } from "../../measured";
 import type { Camera } from "../camera";
 import { tracksOfCells } from "../cells";
+import type { Film } from "../frames";
 import { edged, type Pen } from "./pen";
 
 /** Where the simulated path begins; of several cells the mean. */
@@ -33,4 +35,26 @@ export function paintMeasured(c: Pen, measured: MeasuredTrack[], tracks: Tracks,
     });
     edged(c, line.colour, halo.colour, line.width, [], 0.5 * (halo.width - line.width));
   }
+}
+
+// Rigid obstacles: squares where their particles lie, over any layer, since they have no values of their own.
+
+export const obstacleColour = colours.obstacle;
+export const obstacleColourOnDark = "#9aa3ad";
+
+export function paintObstacles(c: Pen, film: Film, camera: Camera, spacing: number, dark: boolean): void {
+  if (film.obstacles.length === 0) return;
+  const side = 1.08 * spacing * camera.scale;
+  c.fillStyle = dark ? obstacleColourOnDark : obstacleColour;
+  c.beginPath();
+  for (const [x, y] of film.obstacles) {
+    const [left, top] = [camera.toScreenX(x) - 0.5 * side, camera.toScreenY(y) - 0.5 * side];
+    if (left < -side || top < -side || left > camera.width || top > camera.height) continue;
+    c.moveTo(left, top);
+    c.lineTo(left + side, top);
+    c.lineTo(left + side, top + side);
+    c.lineTo(left, top + side);
+    c.closePath();
+  }
+  c.fill();
 }
