@@ -1,7 +1,7 @@
 /**
- * Every picture that the program, its pages and its packages make, beside a small one that is kept in tests/pictures/kept; only where
+ * Every picture that the program, its pages and its packages make, beside a small one in tests/pictures/kept.tar; only where
  * MATRIGRATE_PROGRAM, MATRIGRATE_SOURCE and MATRIGRATE_CORE name the program, its source and the module of Python. With
- * MATRIGRATE_PICTURES=FOLDER all are written there: large, as wide as a column of a journal (85 mm), and `kept/` anew. A picture
+ * MATRIGRATE_PICTURES=FOLDER all are written there: large, as wide as a column of a journal (85 mm), and a new kept.tar. A picture
  * that is meant to change is looked at, then kept.
  */
 import assert from "node:assert/strict";
@@ -130,7 +130,9 @@ test("all pictures look as those that are kept", { skip: [program, source, core]
     const all: [string, string][] = [...pictures].map(([name, file]) => [name, bytes(join(folder, file))]);
     for (const [name, file] of pages) all.push(...(await ofPage(page, name, join(folder, file))), ...(await looks(page, name, join(folder, file))));
     await page.goto("about:blank");
-    const kept = join(source!, "tests/pictures/kept");
+    const kept = join(folder, "kept");
+    mkdirSync(kept);
+    execFileSync("tar", ["-xf", join(source!, "tests/pictures/kept.tar"), "-C", kept]);
     const faults: string[] = [];
     const seen = new Map<string, string>();
     for (const [name, picture] of all) {
@@ -160,7 +162,12 @@ test("all pictures look as those that are kept", { skip: [program, source, core]
         assert.ok((await inkDifference(page, seen.get(one)!, seen.get(other)!)) > most, `${one} and ${other} are told apart`);
     assert.deepEqual(faults, [], out ? "" : "MATRIGRATE_PICTURES=FOLDER writes all of them");
   } finally {
-    if (out) cpSync(folder, join(out, "work"), { recursive: true });
+    if (out) {
+      const still = ["--sort=name", "--owner=0", "--group=0", "--numeric-owner", "--mtime=2026-01-01", "--mode=0644"];
+      const names = readdirSync(join(out, "kept"));
+      execFileSync("tar", [...still, "-cf", join(out, "kept.tar"), "-C", join(out, "kept"), ...names]);
+      cpSync(folder, join(out, "work"), { recursive: true });
+    }
     await browser.close();
     rmSync(folder, { recursive: true });
   }
