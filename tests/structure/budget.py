@@ -19,7 +19,7 @@ budget = {
     "apps": 5678,
     "python": 6862,
     "R": 720,
-    "web": 1249,
+    "web": 1243,
     "viewer/src": 10651,
 }
 most_files = 1318
