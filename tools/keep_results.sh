@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Keeps what `matrigrate reproduce` has come to: copies the tables of its folder to docs/validation, judges these copies, saves
-# the figures of the pages made of them (tools/figures.mjs, which needs chromium), and writes the pages of verdicts anew.
+# Keeps what `matrigrate reproduce` has come to: copies the tables of its folder to docs/validation, judges these copies, and
+# writes the pages of verdicts anew. tools/site/figures.py draws the tables.
 # Numbers of tables are kept with six digits, places of paths, shapes and pictures to a tenth of a micrometre.
 # Studies that are not in the folder, or of which runs have not ended, stay as they are kept.
 #   tools/keep_results.sh PROGRAM FOLDER_OF_REPRODUCE
@@ -62,37 +62,19 @@ for folder in "$from"/*/; do
   done
 done
 [ -z "$apart" ] || exit 0
-for case in fibres fibres-uniaxial disassembly; do
-  [ -e "$from/validate-$case/results.json" ] || continue
-  sed '/^  "folder":/d; /"wall_time_s":/d' "$from/validate-$case/results.json" >"$to/validate-$case.json"
-  rounded "$from/validate-$case/$case.csv" >"$to/validate-$case.csv"
-done
-[ ! -e "$from/fields.csv" ] || cp "$from/fields.csv" "$to/fields.csv"
-[ ! -e "$from/fibre-stress.csv" ] || tenths "$from/fibre-stress.csv" >"$to/fibre-stress.csv"
-drawn=$(mktemp -d)
-trap 'rm -rf "$drawn"' EXIT
-# judge ROWS: the verdicts of the kept tables, and their page; some claims do not hold
-judge() {
-  "$program" reproduce "$1" --from "$to" -o "$drawn" >/dev/null || [ $? -eq 4 ]
-  node tools/figures.mjs "$drawn/report-$1.html" "$drawn/figures" >/dev/null
-}
+among_fibres=$(awk -F, '$2 == "n_prot 2" && /,done,/ { print $1; exit }' "$to/kept-protrusions-fibres-results.csv")
+if [ -e "$from/kept-protrusions-fibres/runs/$among_fibres/fields.h5" ]; then # Fig 13
+  tools/site/figures.py --fibre-stress "$from/kept-protrusions-fibres/runs/$among_fibres" | tenths /dev/stdin >"$to/fibre-stress.csv"
+fi
+judged=$(mktemp -d)
+trap 'rm -rf "$judged"' EXIT
+# judge ROWS: the verdicts of the kept tables; some claims do not hold
+judge() { "$program" reproduce "$1" --from "$to" -o "$judged" >/dev/null || [ $? -eq 4 ]; }
 judge all
-cp "$drawn/claims.csv" "$to/"
-cp "$drawn/claims-all.csv" "$to/conditions.csv"
-cp "$drawn"/*.svg "$to/" # Fig 13's field
+cp "$judged/claims.csv" "$to/"
+cp "$judged/claims-all.csv" "$to/conditions.csv"
 if compgen -G "$to/durotaxis-results.csv" >/dev/null; then
   judge X
-  cp "$drawn/claims.csv" "$to/experiments.csv"
+  cp "$judged/claims.csv" "$to/experiments.csv"
 fi
-for study in stiffness kept-protrusions kept-protrusions-fibres; do # the paper's main figures: 5 and 7, 11, 12
-  for kind in "" -paths -shapes -msd; do
-    [ ! -e "$drawn/figures/$study$kind.svg" ] || cp "$drawn/figures/$study$kind.svg" "$to/"
-  done
-done
-for study in stiffness sensitive-adhesions insensitive-adhesions; do # Fig 9
-  [ ! -e "$drawn/figures/$study-adhesions.svg" ] || cp "$drawn/figures/$study-adhesions.svg" "$to/"
-done
-for case in fibres fibres-uniaxial disassembly; do # Figs 2 and 4
-  [ ! -e "$drawn/figures/validate-$case.svg" ] || cp "$drawn/figures/validate-$case.svg" "$to/"
-done
 tools/validation_page.py

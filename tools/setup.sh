@@ -68,6 +68,8 @@ mkdocs: builds the documentation site
 mkdocs-material: its theme
 katex: its equations
 python3-numpy: the Python package, whose docstrings are its reference
+python3-pandas: the kept results
+python3-matplotlib: their figures
 "
 
 say() { printf '%s: %s\n' "${0##*/}" "$*"; }

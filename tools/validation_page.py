@@ -255,11 +255,8 @@ def study_means(_page: str) -> str:
         parts.append(f"**{varies}**, {runs} runs a point; of {len(rows)} runs {len(ended)} ended early"
                      + (f": {by_cause}{again}" if ended else "") + ".\n\n"
                      + means(rows, [(label, re.sub(r"^(youngs_modulus|force|rate|r_prot|r_off_min|growth_time) ", "", label)) for label in labels]))
-        figures = [(f"{name}{kind}.svg", what) for kind, what in
-                   (("", "box plots"), ("-paths", "paths"), ("-shapes", "shapes"), ("-msd", "mean square displacements"),
-                    ("-adhesions", "forces at which adhesions ended")) if (KEPT / f"{name}{kind}.svg").exists()]
-        if figures:
-            parts.append("Drawn from the tables beside them: " + ", ".join(f"[{what}]({file})" for file, what in figures) + ".")
+        if any((KEPT / f"{name}-{kind}.csv").exists() for kind in ("paths", "adhesions")):
+            parts.append(f"<!-- figures: {name} -->")
     return "\n\n".join(parts)
 
 

@@ -1,5 +1,5 @@
 // Drives a browser without a window through its debugging pipe. The program contains this file (cmake/pages.cmake) and
-// calls it, so that the page of a run draws what `matrigrate export` writes; tools/figures.mjs uses Browser too.
+// calls it, so that the page of a run draws what `matrigrate export` writes.
 //   node drive.mjs JOB     a JSON file: {"browser": PROGRAM, "folder": FOLDER, "scale": 1, "show": {},
 //                          "movie": {} or "frames": [[number, time]] or "panel": []}; FOLDER has page.html, and made/ for the results
 // Needs Node.js 18 and no packages.

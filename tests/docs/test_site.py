@@ -40,6 +40,13 @@ class Site(unittest.TestCase):
             text = (site / "files" / f"{header.relative_to(source)}.html").read_text(encoding="utf-8")
             self.assertIn("pragma once", text)
 
+    def test_figures_of_kept_results_are_drawn(self):
+        text = (site / "validation" / "results.html").read_text(encoding="utf-8")
+        shown = re.findall(r'<img[^>]* src="([^"]+\.svg)"', text)
+        self.assertEqual(len(shown), 16)
+        for name in shown:
+            self.assertIn("</svg>", (site / "validation" / name).read_text(encoding="utf-8"), name)
+
     def test_equations_are_rendered(self):
         text = (site / "model.html").read_text(encoding="utf-8")
         equations = tomllib.loads((source / "tools" / "site" / "equations.toml").read_text(encoding="utf-8"))["equation"]

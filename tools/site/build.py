@@ -76,6 +76,16 @@ def gallery_text(program: pathlib.Path | None, live: pathlib.Path | None) -> str
     return "\n".join(parts)
 
 
+def with_figures(texts: dict[str, str], docs: pathlib.Path) -> None:
+    """The figures of the kept results, drawn here, below the table of their study."""
+    import figures
+    name = "validation/results.md"
+    for study, files in figures.draw_all(docs / "validation").items():
+        mark = f"<!-- figures: {study} -->"
+        assert mark in texts[name], study
+        texts[name] = texts[name].replace(mark, "\n\n".join(f"![{file.removesuffix('.svg')}]({file})" for file in files))
+
+
 def with_live_page(texts: dict[str, str]) -> None:
     """Links to the live page, which this site holds: on the first page, on its own page, and one for each question of the lesson."""
     link = '<p><a class="live" href="{}">Simulate a cell in this browser</a>: nothing is installed or asked of a network.</p>'
@@ -93,8 +103,8 @@ def main() -> None:
     options.add_argument("--program", type=pathlib.Path, help="matrigrate, for the report pages of the gallery")
     options.add_argument("--live", type=pathlib.Path, help="the live page that web/build.sh has made, which the site then holds")
     given = options.parse_args()
-    if importlib.util.find_spec("mkdocs") is None or not katex.is_dir():
-        print("not here: mkdocs, mkdocs-material or katex; tools/site.sh installs them")
+    if any(importlib.util.find_spec(name) is None for name in ("mkdocs", "matplotlib", "pandas")) or not katex.is_dir():
+        print("not here: mkdocs, mkdocs-material, katex, matplotlib or pandas; tools/site.sh installs them")
         sys.exit(77)
     folder = given.folder.resolve()
     if folder.exists() and any(folder.iterdir()) and not (folder / "sitemap.xml").exists():
@@ -111,6 +121,7 @@ def main() -> None:
         if given.live:
             with_live_page(texts)
         files = gather.with_links_of_the_site(texts, root)
+        with_figures(texts, docs)
         if given.program:
             make_reports(given.program.resolve(), docs / "reports")
         if given.live:

@@ -73,7 +73,7 @@ const config: Json = {
   toImageButtonOptions: { format: "svg" },
 };
 
-/** Gives a figure, or several that belong together, the name of the file that tools/figures.mjs saves it as. */
+/** Gives a figure, or several that belong together, a name, by which tests find it. */
 export function named(name: string, element: HTMLElement): HTMLElement {
   element.dataset["figure"] = name;
   return element;
