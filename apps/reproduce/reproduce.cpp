@@ -5,7 +5,6 @@
 #include "apps/verbs.hpp"
 #include "base/failure.hpp"
 #include "base/process.hpp"
-#include "claims/parts.hpp"
 #include "claims/study_claims.hpp"
 #include "parameters/nearest.hpp"
 #include "run/folder_state.hpp"
@@ -36,9 +35,13 @@ std::vector<study::Claim> chosen_claims(const ReproduceOptions& options) {
 
 /// @throws UsageError if there is no such row
 void check_id(const std::string& id) {
-  std::vector<std::string> ids{"A", "B", "C", "D", "E", "F", "V", "X", "all"};
+  if (id == "V" || id == "V1" || id == "V2" || id == "V3")
+    throw UsageError(
+        fmt::format("{} is verified by itself: matrigrate validate fibres fibres-uniaxial disassembly", id));
+  if (id == "F" || id == "F1")
+    throw UsageError(fmt::format("{} is no row any more: the page of a run plays both fields, matrigrate run", id));
+  std::vector<std::string> ids{"A", "B", "C", "D", "E", "X", "all"};
   for (const study::Claim& claim : study::shipped_claims()) ids.push_back(claim.id);
-  for (const study::PartRow& row : study::part_rows()) ids.emplace_back(row.id);
   if (std::ranges::find(ids, id) != ids.end()) return;
   throw UsageError(fmt::format("there is no row \"{}\"{}\nThe rows are: {}", id, did_you_mean(nearest(id, ids)),
                                fmt::join(ids, ", ")));
@@ -66,31 +69,21 @@ int reproduce(const ReproduceOptions& options) {
     study::shipped(name, options);
   for (const std::string& folder : {options.from, options.kept})
     if (!folder.empty()) require(run::look_at(folder), run::Use::see_files);
-  std::vector<study::Claim> needed = claims;
-  if (options.chooses("F1") && options.from.empty()) { // by two runs of A1
-    ReproduceOptions first = options;
-    first.id = "A1";
-    needed.push_back(chosen_claims(first).front());
-  }
-  study::require_own_study_folders(needed, options);
-  study::require_own_claim_report(needed, options);
+  study::require_own_study_folders(claims, options);
+  study::require_own_claim_report(options);
   make_folder(options.folder);
   const std::string setting = setting_text(options);
   if (!options.quiet && !options.json) print_error(setting + "\n");
-  std::vector<study::JudgedClaim> rows;
   study::ClaimEvidence all;
   ReproducedRuns runs(options);
   try {
-    for (const study::PartRow& row : study::part_rows())
-      if (!row.verification.empty() && options.chooses(row.id)) rows.push_back(judged_by_case(row, options));
-    all = study::gather_evidence(needed, options, [&](const auto&... given) { return runs.compute(given...); });
+    all = study::gather_evidence(claims, options, [&](const auto&... given) { return runs.compute(given...); });
     runs.write_reports();
   } catch (const Stopped& stopped) {
     print("stopped; the same command continues\n");
     return stopped.signal == SIGINT ? interrupted : requeue;
   }
-  for (study::JudgedClaim& row : study::judged_claims(claims, all)) rows.push_back(std::move(row));
-  for (study::JudgedClaim& row : study::rows_by_fields(all.evidence, options)) rows.push_back(std::move(row));
+  const std::vector<study::JudgedClaim> rows = study::judged_claims(claims, all);
   study::write_claim_report(
       rows, all.evidence, options,
       {.page_template = verdicts_page_template(), .setting = setting, .command = options.command});
@@ -114,15 +107,13 @@ void add_reproduce(CLI::App& app, Action& chosen, const std::vector<std::string>
       "figures. Runs use the adaptive integrator with steps of up to 5 s unless --integrator reference is\n"
       "given: 0.4 s throughout, as in the paper, and 7 to 9 times slower. Runs that end at the rim of the\n"
       "matrix, of points that decide on a claim, are made again in a disc of 1.5 times the radius, and give a\n"
-      "verdict of their own beside it. Exit code 4 if a claim does not hold or is undecided. V rows are judged\n"
-      "on verification cases (matrigrate validate), by rules on the quantity that each claims, F1 on the frames\n"
-      "of two runs. X rows are experiments beside the paper (docs/validation.md). --from judges by kept tables\n"
-      "and runs nothing: matrigrate reproduce all --from docs/validation. --kept goes on from kept tables: only\n"
-      "runs that have not ended there are made.");
+      "verdict of their own beside it. Exit code 4 if a claim does not hold or is undecided. X rows are\n"
+      "experiments beside the paper (docs/validation.md). --from judges by kept tables and runs nothing:\n"
+      "matrigrate reproduce all --from docs/validation. --kept goes on from kept tables: only runs that have not\n"
+      "ended there are made.");
   const auto options = std::make_shared<ReproduceOptions>();
   options->command = command_text(command_line);
-  verb->add_option("ID", options->id, "A, B, C, D, E, F, V, X, all, or one row such as A2; all leaves X out")
-      ->required();
+  verb->add_option("ID", options->id, "A, B, C, D, E, X, all, or one row such as A2; all leaves X out")->required();
   verb->add_option("-o,--output", options->folder, "Folder for studies and verdicts (default: reproduce)");
   verb->add_option("--replicates", options->replicates, "Runs at each point (default: as many as the paper)")
       ->check(CLI::Range(1, 100000));

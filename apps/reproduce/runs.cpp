@@ -1,9 +1,7 @@
 #include "apps/reproduce/runs.hpp"
 
-#include "apps/case_output.hpp"
 #include "apps/study/pool_output.hpp"
 #include "apps/study/verbs.hpp"
-#include "apps/terminal/stop_signal.hpp"
 #include "apps/terminal/terminal.hpp"
 #include "apps/verbs.hpp"
 #include "base/failure.hpp"
@@ -12,8 +10,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <filesystem>
 #include <optional>
 
 namespace matrigrate::apps {
@@ -52,21 +48,6 @@ std::vector<study::Result> ReproducedRuns::compute(const StudyFolder& study, con
 void ReproducedRuns::write_reports() {
   for (auto& [study, tables] : m_studies)
     if (!study.folder.string().ends_with("-larger-disc")) write_study_report(study, tables);
-}
-
-study::JudgedClaim judged_by_case(const study::PartRow& row, const ReproduceOptions& options) {
-  const std::string name = fmt::format("validate-{}", row.verification);
-  if (!options.from.empty())
-    return study::judged_by_kept_case(row, std::filesystem::path(options.from) / (name + ".json"));
-  const std::filesystem::path folder = std::filesystem::path(options.folder) / name;
-  make_folder(folder);
-  const auto which = std::ranges::find(validation::cases(), row.verification, &validation::Case::name);
-  const StopSignal stop; // a second one ends this program, and with it the case
-  const std::vector<Outcome> outcomes =
-      run_cases({&*which}, row.verification, validation::default_parameters(), folder, [](const Outcome&) {});
-  if (StopSignal::received() != 0) throw Stopped{StopSignal::received()};
-  const auto& result = outcomes.front().result;
-  return study::judged_by_case(row, result ? &*result : nullptr, folder);
 }
 
 } // namespace matrigrate::apps

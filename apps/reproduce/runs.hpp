@@ -2,7 +2,6 @@
 
 #include "apps/study/files.hpp"
 #include "claims/evidence.hpp"
-#include "claims/parts.hpp"
 
 #include <string>
 #include <utility>
@@ -45,10 +44,5 @@ private:
   const ReproduceOptions& m_options;
   std::vector<std::pair<StudyFolder, Collected>> m_studies;
 };
-
-/// The verdict on a row by its case: run here, its files beside the studies, or kept.
-/// @throws Stopped after a signal
-/// @throws InputOutputError if a kept file cannot be read
-study::JudgedClaim judged_by_case(const study::PartRow& row, const ReproduceOptions& options);
 
 } // namespace matrigrate::apps

@@ -28,8 +28,8 @@ struct Check {
 /// Everything that a case found; nothing of it is written yet.
 struct Result {
   std::vector<Check> checks; ///< whether the program does what its equations say
-  std::vector<Check>
-      claims; ///< what the paper says of it, by rules on the quantity that it names; rows V1 to V3 are judged by them
+  std::vector<Check> claims; ///< what the paper says of it, by rules on the quantity that it names; those of Figs 2 and
+                             ///< 4 must come out
   std::vector<std::string> claim_notes; ///< what has to be known beside the claims
   std::vector<std::string> remarks;     ///< what is off, and why
   store::Table table;                   ///< the measured curves, written as NAME.csv

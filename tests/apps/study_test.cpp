@@ -296,12 +296,6 @@ TEST_F(Study, ReproducesNothingOverFilesOfTheUser) {
   EXPECT_TRUE(contains(ended.err, "u/stiffness: holds other files")) << ended.err;
   EXPECT_EQ(file("u/stiffness/results.csv"), "mine");
   EXPECT_FALSE(exists("u/stiffness/runs"));
-  std::filesystem::create_directories(folder / "u/validate-disassembly");
-  write("u/validate-disassembly/disassembly.csv", "mine");
-  ended = run("reproduce V3 -o u");
-  EXPECT_EQ(ended.code, 5);
-  EXPECT_TRUE(contains(ended.err, "u: validate-disassembly would be replaced")) << ended.err;
-  EXPECT_EQ(file("u/validate-disassembly/disassembly.csv"), "mine");
 }
 
 TEST_F(Study, TimesThatAreNoShortDecimalOfTheirUnitAreNumbers) {

@@ -18,7 +18,7 @@ TEST_P(Validation, Holds) {
     EXPECT_TRUE(check.holds()) << check.quantity << ": " << check.measured << ", expected " << check.expected << " +- "
                                << check.tolerance;
   const bool is_row = std::set<std::string>{"fibres", "fibres-uniaxial", "disassembly"}.contains(GetParam().name);
-  for (const Check& claim : result.claims) // rows V1 to V3; what other cases say of the paper need not come out
+  for (const Check& claim : result.claims) // Figs 2 and 4; what other cases say of the paper need not come out
     EXPECT_TRUE(!is_row || claim.holds()) << claim.quantity << ": " << claim.measured << " beside " << claim.expected;
   EXPECT_FALSE(result.table.rows.empty());
   ASSERT_FALSE(result.plots.empty());

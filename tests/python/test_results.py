@@ -125,6 +125,14 @@ class Runs(unittest.TestCase):
 class FieldsOfARun(unittest.TestCase):
     fields = matrigrate.load(common.runs / "run").fields
 
+    def test_displacement_and_stress_are_there_at_all_times(self):  # as in S1 to S4 Videos of the paper
+        np.testing.assert_allclose(self.fields.times, np.arange(0, 1801, self.fields.times[1]))
+        solid = self.fields["matrix/f_degr"][...] > 0
+        for name in ("displacement", "von_mises"):
+            values = np.abs(self.fields[f"matrix/{name}"][...])
+            self.assertTrue(np.isfinite(values[solid]).all(), name)
+            self.assertTrue((values[1:].max(axis=tuple(range(1, values.ndim))) > 0).all(), name)
+
     def test_are_those_of_h5py(self):
         with h5py.File(common.runs / "run" / "fields.h5") as file:
             self.assertTrue(np.array_equal(self.fields.times, file["time"][:]))

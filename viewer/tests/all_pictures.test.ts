@@ -74,7 +74,7 @@ function made(folder: string): { pictures: Map<string, string>; pages: Map<strin
   execFileSync("/usr/bin/python3", ["-B", join(source!, "tests/python/test_labels.py"), "Pages.test_of_a_fit", "Pages.test_of_a_match"], python);
   execFileSync("Rscript", ["--vanilla", join(source!, "tests/pictures/figures.R"), source!, "run", "study", "."], { cwd: folder, stdio: "pipe" });
   const found: [string, string][] = readdirSync(folder).filter((name) => /^(python|r)-.*\.png$/.test(name)).map((name) => [name.slice(0, -4), name]);
-  found.push(["panel", "panel/panel.svg"], ["claim-field", "claims/fibre-stress.svg"]);
+  found.push(["panel", "panel/panel.svg"]);
   const last = (of: string, like: RegExp) => join(of, readdirSync(join(folder, of)).filter((name) => like.test(name)).sort().at(-1)!);
   found.push(["frame", last("png", /\.png$/)], ["frame-svg", last("png", /\.svg$/)], ["field", last("fields", /\.svg$/)]);
   const pages: [string, string][] = [["run", "run/report.html"], ["fibres", "fibres/report.html"], ["study", "study/report.html"], ["case", "stretch/report.html"],

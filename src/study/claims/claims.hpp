@@ -21,13 +21,13 @@
 namespace matrigrate::study {
 
 /// The claims of all shipped studies, by their ids: rows A to E of the paper, and rows X, experiments beside it, which
-/// are not among the paper's thirty.
+/// are not among the paper's twenty-six.
 std::vector<Claim> shipped_claims();
 
-/// A claim, or a verification beside them, with what became of it.
+/// A claim with what became of it.
 struct JudgedClaim {
   std::string id;
-  ClaimKind kind = ClaimKind::verification;
+  ClaimKind kind = ClaimKind::predicted;
   std::string sentence;
   std::string published;
   Finding finding;
@@ -42,7 +42,7 @@ JudgedClaim judged_claim(const Claim& claim, const Evidence& evidence);
 /// Why a claim does not hold, in a line; empty if it does.
 std::string why_not(const Finding& finding);
 
-/// "19 of 30 hold: 10 of 19 calibration, 5 of 7 predicted, 4 of 4 verification; 5 more in direction"
+/// "15 of 26 hold: 10 of 19 calibration, 5 of 7 predicted; 5 more in direction"
 std::string bottom_line(const std::vector<JudgedClaim>& claims);
 
 /// claims.csv: the table that people read, a line per claim.

@@ -12,31 +12,62 @@ namespace {
 
 std::string joined(const std::vector<std::string>& parts) { return fmt::format("{}", fmt::join(parts, "; ")); }
 
-/// A column of a table: its name, and the key of claim_json() that it has.
+using Json = nlohmann::ordered_json;
+
+/// A value of a claim, by its key in JSON and its name in each table; no name where the table leaves it out.
 struct Column {
-  std::string name;
-  std::string key;
+  const char* key;
+  const char* in_claims;
+  const char* in_conditions;
+  Json (*value)(const JudgedClaim& c);
 };
 
-/// A line per claim. @param of_editions  further columns, where a claim was judged by the second edition of the rules
-std::string table(const std::vector<JudgedClaim>& claims, std::vector<Column> columns,
-                  const std::vector<std::string>& of_editions) {
-  if (std::ranges::any_of(claims, [](const JudgedClaim& c) { return c.second_edition.has_value(); }))
-    for (const std::string& key : of_editions) columns.push_back({key, key});
+constexpr Column columns[] = {
+    {"id", "id", "id", [](const JudgedClaim& c) -> Json { return c.id; }},
+    {"kind", "kind", nullptr, [](const JudgedClaim& c) -> Json { return kind_name(c.kind); }},
+    {"sentence", "claim", "sentence", [](const JudgedClaim& c) -> Json { return c.sentence; }},
+    {"published", "published", "published", [](const JudgedClaim& c) -> Json { return c.published; }},
+    {"brief", "ours", nullptr, [](const JudgedClaim& c) -> Json { return c.finding.brief; }},
+    {"ours", nullptr, "ours", [](const JudgedClaim& c) -> Json { return c.finding.ours; }},
+    {"statistic", nullptr, "statistic", [](const JudgedClaim& c) -> Json { return c.finding.conditions; }},
+    {"verdict", "verdict", "verdict", [](const JudgedClaim& c) -> Json { return to_string(c.finding.verdict); }},
+    {"why_not", "why_not", nullptr, [](const JudgedClaim& c) -> Json { return why_not(c.finding); }},
+    {"verdict_in_larger_disc", "verdict_in_larger_disc", nullptr,
+     [](const JudgedClaim& c) -> Json { return c.in_larger_disc ? to_string(c.in_larger_disc->verdict) : ""; }},
+    {"against", "against", nullptr, [](const JudgedClaim& c) -> Json { return c.finding.against; }},
+    {"caveat", "caveat", "caveat", [](const JudgedClaim& c) -> Json { return c.caveat; }},
+};
+
+/// The same of a claim that was judged by the second edition of the rules as well.
+constexpr Column of_second_edition[] = {
+    {"statistic_second_edition", nullptr, "statistic_second_edition",
+     [](const JudgedClaim& c) -> Json { return c.second_edition->conditions; }},
+    {"verdict_second_edition", "verdict_second_edition", "verdict_second_edition",
+     [](const JudgedClaim& c) -> Json { return to_string(c.second_edition->verdict); }},
+    {"why_not_second_edition", "why_not_second_edition", nullptr,
+     [](const JudgedClaim& c) -> Json { return why_not(*c.second_edition); }},
+    {"against_second_edition", "against_second_edition", nullptr,
+     [](const JudgedClaim& c) -> Json { return c.second_edition->against; }},
+};
+
+/// A line per claim. @param name  of a column in this table
+std::string table(const std::vector<JudgedClaim>& claims, const char* Column::*name) {
+  const bool editions = std::ranges::any_of(claims, [](const JudgedClaim& c) { return c.second_edition.has_value(); });
   const auto line = [&](const auto& text_of) {
     std::vector<std::string> texts;
-    for (const Column& column : columns) texts.push_back(text_of(column));
+    for (const Column& column : columns)
+      if (column.*name != nullptr) texts.push_back(text_of(column, true));
+    for (const Column& column : of_second_edition)
+      if (editions && column.*name != nullptr) texts.push_back(text_of(column, false));
     return store::csv_line({texts.begin(), texts.end()});
   };
-  std::string text = line([](const Column& column) { return column.name; });
-  for (const JudgedClaim& c : claims) {
-    const nlohmann::ordered_json values = claim_json(c);
-    text += line([&](const Column& column) -> std::string {
-      const auto value = values.find(column.key);
-      if (value == values.end()) return "";
-      return value->is_array() ? joined(*value) : value->get<std::string>();
+  std::string text = line([&](const Column& column, bool) -> std::string { return column.*name; });
+  for (const JudgedClaim& c : claims)
+    text += line([&](const Column& column, bool always) -> std::string {
+      if (!always && !c.second_edition) return "";
+      const Json value = column.value(c);
+      return value.is_array() ? joined(value) : value.get<std::string>();
     });
-  }
   return text;
 }
 
@@ -65,39 +96,15 @@ std::string bottom_line(const std::vector<JudgedClaim>& claims) {
                      more(of(Verdict::in_direction), "more in direction"), more(of(Verdict::undecided), "undecided"));
 }
 
-std::string conditions_csv(const std::vector<JudgedClaim>& claims) {
-  std::vector<Column> columns;
-  for (const char* key : {"id", "sentence", "published", "ours", "statistic", "verdict", "caveat"})
-    columns.push_back({key, key});
-  return table(claims, columns, {"statistic_second_edition", "verdict_second_edition"});
-}
+std::string conditions_csv(const std::vector<JudgedClaim>& claims) { return table(claims, &Column::in_conditions); }
 
-std::string claims_csv(const std::vector<JudgedClaim>& claims) {
-  std::vector<Column> columns{
-      {"id", "id"}, {"kind", "kind"}, {"claim", "sentence"}, {"published", "published"}, {"ours", "brief"}};
-  for (const char* key : {"verdict", "why_not", "verdict_in_larger_disc", "against", "caveat"})
-    columns.push_back({key, key});
-  return table(claims, columns, {"verdict_second_edition", "why_not_second_edition", "against_second_edition"});
-}
+std::string claims_csv(const std::vector<JudgedClaim>& claims) { return table(claims, &Column::in_claims); }
 
 nlohmann::ordered_json claim_json(const JudgedClaim& c) {
-  nlohmann::ordered_json json{{"id", c.id},
-                              {"sentence", c.sentence},
-                              {"published", c.published},
-                              {"ours", c.finding.ours},
-                              {"statistic", c.finding.conditions},
-                              {"verdict", to_string(c.finding.verdict)},
-                              {"caveat", c.caveat},
-                              {"kind", kind_name(c.kind)},
-                              {"brief", c.finding.brief},
-                              {"why_not", why_not(c.finding)},
-                              {"verdict_in_larger_disc", c.in_larger_disc ? to_string(c.in_larger_disc->verdict) : ""},
-                              {"against", c.finding.against}};
-  if (!c.second_edition) return json;
-  json["verdict_second_edition"] = to_string(c.second_edition->verdict);
-  json["why_not_second_edition"] = why_not(*c.second_edition);
-  json["against_second_edition"] = c.second_edition->against;
-  json["statistic_second_edition"] = c.second_edition->conditions;
+  Json json = Json::object();
+  for (const Column& column : columns) json[column.key] = column.value(c);
+  if (c.second_edition)
+    for (const Column& column : of_second_edition) json[column.key] = column.value(c);
   return json;
 }
 

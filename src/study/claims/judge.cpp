@@ -44,14 +44,11 @@ const Ensemble* Judge::ensemble(const std::string& study) const {
 Judge::Group Judge::group(const PointName& name) const {
   const std::string study = name.study.empty() ? m_study : name.study;
   const Ensemble* known = ensemble(study);
-  if (known == nullptr) return {study, {study, study}};
+  if (known == nullptr) return {study, study};
   const auto point = std::ranges::find(known->study.points, name.label, &Point::label);
   const std::string of_study = m_evidence.size() == 1 ? "" : study + ": ";
-  const std::string whole = of_study + name.label;
-  if (point == known->study.points.end()) return {study, {whole + " (no such point)", whole + " (no such point)"}};
-  return {study,
-          {whole, of_study + brief_label(known->study, *point)},
-          known,
+  if (point == known->study.points.end()) return {study, of_study + name.label + " (no such point)"};
+  return {study, of_study + brief_label(known->study, *point), known,
           static_cast<std::size_t>(point - known->study.points.begin())};
 }
 
@@ -128,13 +125,10 @@ Judge& Judge::add(const ClaimCondition& c) {
   }
   const ClaimReading reading = c.rule->judge(c, runs);
   if (!reading.all_runs.empty()) {
-    const Words text = filled(reading.all_runs, c, from, to);
-    m_ours.push_back(text.whole);
-    m_others.push_back(text.brief);
+    m_others.push_back(filled(reading.all_runs, c, from, to));
+    m_ours.push_back(m_others.back());
   }
-  m_conditions.push_back({filled(reading.wanted, c, from, to),
-                          {reading.in_full.empty() ? reading.measured : reading.in_full, reading.measured},
-                          reading});
+  m_conditions.push_back({filled(reading.wanted, c, from, to), reading.measured, reading});
   return *this;
 }
 
@@ -151,11 +145,9 @@ std::vector<Judge::Condition> Judge::corrected() const {
       if (c.reading.family != family) continue;
       const double corrected = adjusted[next++];
       c.reading.met = c.reading.close || !(corrected < claim_alpha);
-      std::string more;
-      if (corrected != c.reading.p && std::isfinite(corrected)) more = fmt::format(", corrected {:.2g}", corrected);
-      if (c.reading.close && corrected < claim_alpha) more += ", within a tenth";
-      c.measured.whole += more;
-      c.measured.brief += more;
+      if (corrected != c.reading.p && std::isfinite(corrected))
+        c.measured += fmt::format(", corrected {:.2g}", corrected);
+      if (c.reading.close && corrected < claim_alpha) c.measured += ", within a tenth";
     }
   }
   return all;
@@ -172,17 +164,15 @@ Finding Judge::finding() const {
     vague = vague || untold;
     states_direction = states_direction || c.reading.direction.has_value();
     direction = direction && c.reading.direction.value_or(true);
-    finding.conditions.push_back(c.reading.defined ? fmt::format("{} ({}): {}", c.wanted.whole, c.measured.whole,
-                                                                 untold          ? "too few runs to tell"
-                                                                 : c.reading.met ? "met"
-                                                                                 : "not met")
-                                                   : fmt::format("{}: {}", c.wanted.whole, too_few));
-    const std::string brief = fmt::format("{} ({})", c.wanted.brief, c.measured.brief);
+    const std::string sentence = fmt::format("{} ({})", c.wanted, c.measured);
+    finding.conditions.push_back(!c.reading.defined ? fmt::format("{}: {}", c.wanted, too_few)
+                                 : untold           ? sentence + ": too few runs to tell"
+                                                    : sentence + (c.reading.met ? ": met" : ": not met"));
     if (c.reading.defined && !c.reading.met)
-      finding.unmet.push_back(brief);
+      finding.unmet.push_back(sentence);
     else if ((!c.reading.defined || untold) && std::ranges::find(finding.unmet, too_few) == finding.unmet.end())
       finding.unmet.emplace_back(too_few);
-    if (c.reading.defined && c.reading.against) finding.against.push_back(brief);
+    if (c.reading.defined && c.reading.against) finding.against.push_back(sentence);
   }
   finding.verdict = !defined || (met && vague)      ? Verdict::undecided
                     : met                           ? Verdict::holds

@@ -39,17 +39,14 @@ using report::Verdict;
 struct Finding {
   Verdict verdict = Verdict::undecided;
   std::vector<std::string> ours;       ///< means with their 95 % intervals
-  std::vector<std::string> conditions; ///< each with its statistic, and whether it is met
+  std::vector<std::string> conditions; ///< each with its statistic, and whether it is met: "A is above B (...): met"
   std::string brief{};                 ///< ours in a line, for a table
-  std::vector<std::string> unmet{};    ///< why it does not hold: the conditions that are not met, in brief
-  std::vector<std::string> against{}; ///< conditions whose direction comes out opposite by its whole interval, in brief
+  std::vector<std::string> unmet{};    ///< why it does not hold: the conditions that are not met
+  std::vector<std::string> against{};  ///< conditions whose direction comes out opposite by its whole interval
 };
 
 /// Gathers conditions; a claim holds if all of them are met, and is undecided where a group has fewer than two runs or
-/// the runs that there are tell too little.
-///
-/// Each sentence is written twice: whole, with points as the study labels them, and in brief, with the values that
-/// vary.
+/// the runs that there are tell too little. Its sentences name points by the values that vary.
 class Judge {
 public:
   /// @param study  that conditions mean where they name none
@@ -60,20 +57,16 @@ public:
   Finding finding() const;
 
 private:
-  /// A text for whoever reads all of it, and for a table.
-  struct Words {
-    std::string whole, brief;
-  };
   /// The runs at one point of a study.
   struct Group {
     std::string study;
-    Words label;
+    std::string label;
     const Ensemble* ensemble = nullptr; ///< null where there is no such study, or no such point of it
     std::size_t point = 0;
   };
   struct Condition {
-    Words wanted;
-    Words measured;
+    std::string wanted;
+    std::string measured;
     ClaimReading reading;
   };
   /// A mean that a condition is about.
@@ -91,7 +84,7 @@ private:
   void tell(const Group& g, const std::string& what, const statistics::Interval& mean, std::size_t n);
   Group extreme(const ClaimCondition& c);
   std::vector<double> excess(const Group& g, const ClaimCondition& c);
-  Words filled(std::string_view sentence, const ClaimCondition& c, const Group& from, const Group& to) const;
+  std::string filled(std::string_view sentence, const ClaimCondition& c, const Group& from, const Group& to) const;
   std::string brief() const;
   std::vector<Condition> corrected() const;
 

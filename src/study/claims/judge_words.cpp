@@ -21,30 +21,27 @@ std::string Judge::readout_words(std::string_view readout) {
 void Judge::tell(const Group& g, const std::string& what, const statistics::Interval& mean, std::size_t n) {
   const std::string value = n < 2 ? fmt::format("{:.3g}", mean.value)
                                   : fmt::format("{:.3g} [{:.3g}, {:.3g}]", mean.value, mean.low, mean.high);
-  const std::string text = fmt::format("{}: {} at {} (n = {})", what, n == 0 ? "no runs" : value, g.label.whole, n);
+  const std::string text = fmt::format("{}: {} at {} (n = {})", what, n == 0 ? "no runs" : value, g.label, n);
   if (std::ranges::find(m_ours, text) != m_ours.end()) return;
   m_ours.push_back(text);
   if (n > 0) m_means.push_back({g, what, value});
 }
 
 /// A sentence of a rule with the names of what it is about.
-Judge::Words Judge::filled(std::string_view sentence, const ClaimCondition& c, const Group& from,
-                           const Group& to) const {
-  const auto with = [&](const std::string& from_label, const std::string& to_label) {
-    const std::pair<std::string_view, std::string> names[] = {{"$readout", readout_words(c.readout)},
-                                                              {"$other", readout_words(c.other)},
-                                                              {"$from", from_label},
-                                                              {"$to", to_label},
-                                                              {"$study", c.study.empty() ? m_study : c.study}};
-    std::string text;
-    for (std::string_view rest = sentence; !rest.empty();) {
-      const auto name = std::ranges::find_if(names, [&](const auto& one) { return rest.starts_with(one.first); });
-      text += name == std::end(names) ? std::string(1, rest.front()) : name->second;
-      rest.remove_prefix(name == std::end(names) ? 1 : name->first.size());
-    }
-    return text;
-  };
-  return {with(from.label.whole, to.label.whole), with(from.label.brief, to.label.brief)};
+std::string Judge::filled(std::string_view sentence, const ClaimCondition& c, const Group& from,
+                          const Group& to) const {
+  const std::pair<std::string_view, std::string> names[] = {{"$readout", readout_words(c.readout)},
+                                                            {"$other", readout_words(c.other)},
+                                                            {"$from", from.label},
+                                                            {"$to", to.label},
+                                                            {"$study", c.study.empty() ? m_study : c.study}};
+  std::string text;
+  for (std::string_view rest = sentence; !rest.empty();) {
+    const auto name = std::ranges::find_if(names, [&](const auto& one) { return rest.starts_with(one.first); });
+    text += name == std::end(names) ? std::string(1, rest.front()) : name->second;
+    rest.remove_prefix(name == std::end(names) ? 1 : name->first.size());
+  }
+  return text;
 }
 
 /// All means if they are few, else the first and the last of each read-out, in the order of its points.
@@ -61,7 +58,7 @@ std::string Judge::brief() const {
     std::ranges::stable_sort(of, {}, [](const Mean* m) { return std::pair(m->group.study, m->group.point); });
     if (m_means.size() > few && of.size() > 2) of = {of.front(), of.back()};
     std::vector<std::string> values;
-    for (const Mean* m : of) values.push_back(fmt::format("{} ({})", m->value, m->group.label.brief));
+    for (const Mean* m : of) values.push_back(fmt::format("{} ({})", m->value, m->group.label));
     parts.push_back(fmt::format("{}: {}", what, fmt::join(values, ", ")));
   }
   parts.insert(parts.end(), m_others.begin(), m_others.end());

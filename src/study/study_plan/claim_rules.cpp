@@ -48,7 +48,6 @@ Compared compared(const ClaimCondition& c, const ClaimRuns& runs, const std::str
   const Interval d = statistics::mean_difference(runs.from, runs.to, alpha);
   const Interval g = statistics::hedges_g(runs.from, runs.to, alpha);
   const double p = statistics::t_test(runs.from, runs.to).p;
-  const std::string difference = fmt::format("difference {:.3g} [{:.3g}, {:.3g}]", d.value, d.low, d.high);
   return {.d = d,
           .larger =
               std::max(std::abs(statistics::moments(runs.from).mean), std::abs(statistics::moments(runs.to).mean)),
@@ -56,9 +55,8 @@ Compared compared(const ClaimCondition& c, const ClaimRuns& runs, const std::str
           .signed_so = has(c.sign, d.value),
           .significant = p < alpha,
           .reading = {.wanted = fmt::format("$readout: $to {} $from", wanted),
-                      .measured = fmt::format("{}, p {:.2g}", difference, p),
-                      .in_full =
-                          fmt::format("{}, g {:.2g} [{:.2g}, {:.2g}], p {:.2g}", difference, g.value, g.low, g.high, p),
+                      .measured = fmt::format("difference {:.3g} [{:.3g}, {:.3g}], g {:.2g} [{:.2g}, {:.2g}], p {:.2g}",
+                                              d.value, d.low, d.high, g.value, g.low, g.high, p),
                       .defined = runs.from.size() > 1 && runs.to.size() > 1}};
 }
 

@@ -42,7 +42,6 @@ enum class ClaimFamily { none, no_difference, agreement };
 struct ClaimReading {
   std::string wanted;              ///< "$readout at $to is above that at $from"
   std::string measured;            ///< "difference 1.2 [0.4, 2], p 0.01"
-  std::string in_full{};           ///< the same for whoever reads all of it; empty: as measured
   bool defined = false;            ///< whether there are runs enough
   bool met = false;                ///< of a family its corrected p decides
   std::string all_runs{};          ///< a number over all runs of the study, as a sentence

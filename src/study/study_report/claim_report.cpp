@@ -2,31 +2,57 @@
 
 #include "base/failure.hpp"
 #include "base/file.hpp"
-#include "claims/parts.hpp"
 #include "report/verdict_page.hpp"
 #include "run/provenance.hpp"
 #include "run/run_record.hpp"
-#include "study_report/claim_figures.hpp"
+#include "study_report/drawn_study.hpp"
+#include "study_report/run_curves.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
 #include <chrono>
-#include <map>
+#include <filesystem>
 #include <string_view>
+#include <utility>
 
 namespace matrigrate::study {
 
 namespace {
 
-template <class Value>
-std::vector<Value> of_row(const std::map<std::string, std::vector<Value>>& all, std::string_view row) {
-  const auto found = all.find(std::string(row));
-  return found == all.end() ? std::vector<Value>() : found->second;
+/// The text of a table; empty if it is not there.
+std::string table(const std::filesystem::path& file) {
+  constexpr std::size_t largest = std::size_t{1} << 28U;
+  return std::filesystem::exists(file) ? read_file(file, largest) : std::string();
 }
 
-report::Statement statement(const JudgedClaim& row, const ClaimFigures& figures) {
+/// The studies as the page draws them, from tables beside their runs, or kept side by side. Of runs it first writes
+/// shapes.csv into the folders of the studies; of runs that are kept there is no more than their results.
+nlohmann::ordered_json drawn_studies(const Evidence& evidence, const EvidenceOptions& options) {
+  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+  for (const auto& [name, ensemble] : evidence) {
+    const std::filesystem::path folder = std::filesystem::path(options.folder) / name;
+    if (options.from.empty()) {
+      auto runs = ensemble.results;
+      std::erase_if(runs, [&](const Result& r) { return !exists(run_folder(folder, r.run)); });
+      write_file(folder / "shapes.csv", shapes_csv(ensemble.study, runs, folder));
+    }
+    const auto table_of = [&](const char* kind) {
+      return table(options.from.empty() ? folder / fmt::format("{}.csv", kind)
+                                        : std::filesystem::path(options.from) / fmt::format("{}-{}.csv", name, kind));
+    };
+    list.push_back({{"name", name},
+                    {"study", drawn_study(ensemble.study, ensemble.results,
+                                          {.paths = table_of("paths"),
+                                           .shapes = table_of("shapes"),
+                                           .msd = table_of("msd"),
+                                           .adhesions = table_of("adhesions")})}});
+  }
+  return list;
+}
+
+report::Statement statement(const JudgedClaim& row) {
   std::vector<std::string> conditions = row.finding.conditions;
   if (row.in_larger_disc)
     conditions.push_back(fmt::format("{}; {}", with_larger_disc(*row.in_larger_disc), row.in_larger_disc->brief));
@@ -44,9 +70,7 @@ report::Statement statement(const JudgedClaim& row, const ClaimFigures& figures)
           .brief = row.finding.brief,
           .why_not = why_not(row.finding),
           .details = std::move(details),
-          .studies = row.studies,
-          .plots = of_row(figures.plots, row.id),
-          .pictures = of_row(figures.pictures, row.id)};
+          .studies = row.studies};
 }
 
 std::vector<report::Fact> facts(const Evidence& evidence, const std::string& command) {
@@ -66,35 +90,18 @@ std::vector<report::Fact> facts(const Evidence& evidence, const std::string& com
 
 } // namespace
 
-void require_own_claim_report(const std::vector<Claim>& claims, const EvidenceOptions& options) {
+void require_own_claim_report(const EvidenceOptions& options) {
   constexpr std::size_t largest = std::size_t{1} << 30U;
-  struct Own {
-    std::string name;
-    std::string_view mark; ///< that a file of ours has
-  };
-  std::vector<Own> files{{fmt::format("claims-{}.csv", options.id), "id,sentence,published,ours,statistic"},
-                         {"claims.csv", "id,kind,claim,published,ours"},
-                         {fmt::format("report-{}.html", options.id), "matrigrate-verdicts"}};
-  if (options.chooses("F1")) files.push_back({"fields.csv", "t_s,particles,defined,largest_displacement_um"});
-  const bool among_fibres = std::ranges::any_of(claims, [](const Claim& claim) {
-    const std::vector<std::string> names = claim.studies();
-    return std::ranges::find(names, fibre_study) != names.end();
-  });
-  if (among_fibres) files.push_back({"fibre-stress.csv", "what,x_um,y_um,von_mises_Pa"});
-  if (among_fibres) files.push_back({"fibre-stress.svg", "Von Mises stress of the fibres"});
+  const std::pair<std::string, std::string_view> files[] = {
+      // with a mark that a file of ours has
+      {fmt::format("claims-{}.csv", options.id), "id,sentence,published,ours,statistic"},
+      {"claims.csv", "id,kind,claim,published,ours"},
+      {fmt::format("report-{}.html", options.id), "matrigrate-verdicts"}};
   std::vector<std::string> foreign;
-  for (const Own& own : files) {
-    const std::filesystem::path file = std::filesystem::path(options.folder) / own.name;
-    if (std::filesystem::exists(file) && read_file(file, largest).find(own.mark) == std::string::npos)
-      foreign.push_back(own.name);
-  }
-  for (const PartRow& row : part_rows()) { // a folder of `validate` has its results.json
-    const std::string name = fmt::format("validate-{}", row.verification);
-    const std::filesystem::path folder = std::filesystem::path(options.folder) / name;
-    if (row.verification.empty() || !options.chooses(row.id) || !std::filesystem::exists(folder)) continue;
-    const bool own = std::filesystem::is_directory(folder)
-                     && (std::filesystem::is_empty(folder) || std::filesystem::exists(folder / "results.json"));
-    if (!own) foreign.push_back(name);
+  for (const auto& [name, mark] : files) {
+    const std::filesystem::path file = std::filesystem::path(options.folder) / name;
+    if (std::filesystem::exists(file) && read_file(file, largest).find(mark) == std::string::npos)
+      foreign.push_back(name);
   }
   if (!foreign.empty())
     throw InputOutputError(fmt::format("{}: {} would be replaced, but {} not written by this program; choose another "
@@ -111,16 +118,15 @@ std::string with_larger_disc(const Finding& finding) {
 void write_claim_report(const std::vector<JudgedClaim>& rows, const Evidence& evidence, const EvidenceOptions& options,
                         const ClaimReport& report) {
   const std::filesystem::path folder = options.folder;
-  const ClaimFigures figures = claim_figures(evidence, options);
   write_file(folder / fmt::format("claims-{}.csv", options.id), conditions_csv(rows));
   write_file(folder / "claims.csv", claims_csv(rows));
   report::VerdictReport page{.title = fmt::format("Claims of Heck et al. 2020: {}", options.id),
                              .facts = facts(evidence, report.command),
                              .setting = report.setting,
                              .statements = {},
-                             .studies = figures.studies,
+                             .studies = drawn_studies(evidence, options),
                              .provenance = run::provenance_text()};
-  for (const JudgedClaim& row : rows) page.statements.push_back(statement(row, figures));
+  for (const JudgedClaim& row : rows) page.statements.push_back(statement(row));
   write_file(folder / fmt::format("report-{}.html", options.id),
              report::filled_page(report.page_template, report::verdict_data(page)));
 }

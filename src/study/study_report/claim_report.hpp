@@ -6,7 +6,8 @@
 #include <string_view>
 #include <vector>
 
-/// The files that `matrigrate reproduce` writes of its verdicts. Test: tests/apps/reproduce_test.cpp
+/// The files that `matrigrate reproduce` writes of its verdicts. Test: tests/apps/reproduce_test.cpp,
+/// viewer/tests/kept_page.test.ts
 namespace matrigrate::study {
 
 /// What the page says of how it was made.
@@ -16,12 +17,11 @@ struct ClaimReport {
   std::string command;
 };
 
-/// @throws InputOutputError naming the files and folders that write_claim_report(), or a case, would replace and that
-///         are not of this program
-void require_own_claim_report(const std::vector<Claim>& claims, const EvidenceOptions& options);
+/// @throws InputOutputError naming the files that write_claim_report() would replace and that are not of this program
+void require_own_claim_report(const EvidenceOptions& options);
 
 /// Writes claims-<ID>.csv, claims.csv, report-<ID>.html and the tables of its figures into the folder of the options.
-/// @throws InputOutputError if frames or a table cannot be read
+/// @throws InputOutputError if a table cannot be read
 void write_claim_report(const std::vector<JudgedClaim>& rows, const Evidence& evidence, const EvidenceOptions& options,
                         const ClaimReport& report);
 

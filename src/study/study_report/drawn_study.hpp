@@ -22,7 +22,7 @@ nlohmann::ordered_json compared_json(const Study& study, const std::vector<Resul
 /// A mean square displacement: {point, lag_min, msd_um2, sem_um2, slope}.
 nlohmann::ordered_json msd_json(const std::vector<MeanMsd>& means, const nlohmann::ordered_json& place);
 
-/// Texts of the tables of run_curves.hpp and run_shapes.hpp; empty for a missing table.
+/// Texts of the tables of run_curves.hpp; empty for a missing table.
 struct CurveTables {
   std::string paths, shapes, msd, adhesions;
 };

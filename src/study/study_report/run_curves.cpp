@@ -3,6 +3,7 @@
 #include "base/file.hpp"
 #include "base/text.hpp"
 #include "statistics/sample.hpp"
+#include "store/checkpoint.hpp"
 #include "tables/cell_tracks.hpp"
 #include "tables/csv.hpp"
 #include "tables/naming.hpp"
@@ -23,6 +24,7 @@ namespace {
 
 constexpr std::size_t largest_table = std::size_t{1} << 28U;
 constexpr double path_interval = 600.0; // [s]
+constexpr std::size_t replicates_shown = 3;
 
 /// Calls use(result, folder of the run) for the runs that are done, point by point.
 template <class Use>
@@ -112,6 +114,21 @@ std::string adhesions_csv(const Study& study, const std::vector<Result>& results
         csv += fmt::format("{},{:.2f},{:.3f},{:.3f},{}\n", r.run.replicate, length[k], f_mat[k], force[k],
                            csv_text(study.points[r.run.point].label));
   });
+  return csv;
+}
+
+std::string shapes_csv(const Study& study, const std::vector<Result>& results,
+                       const std::filesystem::path& study_folder) {
+  std::string csv = "replicate,x_um,y_um,point\n";
+  for (const Result& r : results) {
+    if (!r.standing.done() || r.run.replicate > replicates_shown) continue;
+    const std::filesystem::path checkpoint = run_folder(study_folder, r.run) / store::checkpoint_name;
+    if (!std::filesystem::exists(checkpoint)) continue;
+    const CortexState cortex = store::read_checkpoint(checkpoint).state.cells.at(0).cortex;
+    for (std::size_t i = 0; i < cortex.size(); i += 2)
+      csv += fmt::format("{},{:.2f},{:.2f},{}\n", r.run.replicate, cortex.x[i].x(), cortex.x[i].y(),
+                         csv_text(study.points[r.run.point].label));
+  }
   return csv;
 }
 

@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-/// What the runs of a study look like: paths, mean square displacements and adhesions, as tables that are small enough
-/// to be kept and that pages can be made from. Runs that are not done are left out. The last column of each table is
-/// the label of the point. Test: tests/unit/study_report/run_curves_test.cpp
+/// What the runs of a study look like: paths, shapes, mean square displacements and adhesions, as tables that are small
+/// enough to be kept and that pages can be made from. Runs that are not done are left out. The last column of each
+/// table is the label of the point. Test: tests/unit/study_report/run_curves_test.cpp
 namespace matrigrate::study {
 
 /// Mean square displacement over the runs of a point at a lag that all of them have; of several cells the mean over
@@ -38,5 +38,10 @@ std::string msd_csv(const Study& study, const std::vector<Result>& results, cons
 /// @throws InputOutputError if a table of a run that is done cannot be read
 std::string adhesions_csv(const Study& study, const std::vector<Result>& results,
                           const std::filesystem::path& study_folder);
+
+/// shapes.csv: replicate, x_um, y_um, point; every second particle of the cortex where a run ended, the first three
+/// replicates of each point. Runs whose checkpoint is gone are left out.
+std::string shapes_csv(const Study& study, const std::vector<Result>& results,
+                       const std::filesystem::path& study_folder);
 
 } // namespace matrigrate::study

@@ -2,6 +2,9 @@
 
 #include "base/failure.hpp"
 #include "base/file.hpp"
+#include "simulation/start.hpp"
+#include "store/checkpoint.hpp"
+#include "tables/csv.hpp"
 #include "unit/study_plan/studies.hpp"
 
 #include <gtest/gtest.h>
@@ -98,6 +101,28 @@ TEST_F(RunCurves, AdhesionsThatHaveEndedAreListed) {
 TEST_F(RunCurves, AStudyWithoutRunsHasEmptyTables) {
   const std::vector<Result> none;
   EXPECT_EQ(paths_csv(study, none, folder), "replicate,t_s,x_um,y_um,point\n");
+}
+
+TEST_F(RunCurves, ShapesAreTheOutlinesAtTheEndOfThreeRuns) {
+  const std::vector<Result> four = results_of("f_mat", {{0.1, 0.2, 0.3, 0.4}, {0.5}});
+  Parameters p;
+  p.ecm.radius = 30.0;
+  const State cell = initial_state(p);
+  for (const Result& r : four) {
+    State state = cell;
+    for (std::size_t i = 0; i < state.cells[0].cortex.size(); ++i)
+      state.cells[0].cortex.x[i] = {static_cast<double>(r.run.replicate), static_cast<double>(i)};
+    std::filesystem::create_directories(run_folder(folder, r.run));
+    store::write_checkpoint(run_folder(folder, r.run),
+                            {.state = state, .scenario = "", .configuration_hash = "", .program = "", .memory = ""});
+  }
+  const std::string csv = shapes_csv(study, four, folder);
+  const store::CsvTable table = store::read_csv(csv);
+  const std::size_t shown = (cell.cells[0].cortex.size() + 1) / 2;
+  ASSERT_EQ(table.rows.size(), 4 * shown) << "three replicates of the first point, one of the other";
+  EXPECT_EQ(table.rows[1], (std::vector<std::string>{"1", "1.00", "2.00", "soft, \"50\""})) << "every second";
+  EXPECT_EQ(table.rows[2 * shown], (std::vector<std::string>{"3", "3.00", "0.00", "soft, \"50\""}));
+  EXPECT_EQ(table.rows.back()[3], "stiff");
 }
 
 } // namespace
