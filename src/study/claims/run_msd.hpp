@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <vector>
 
-/// Mean square displacements of runs, from the paths of a study. Test: tests/unit/claims/run_msd_test.cpp
+/// Mean square displacements of runs, from the paths of a study. Test: tests/unit/claims/claims_test.cpp
 namespace matrigrate::study {
 
 /// Of each run, in the order of the results; of several cells their mean. Empty of runs without a path.

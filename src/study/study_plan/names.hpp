@@ -40,7 +40,7 @@ std::string label_of(const std::vector<Setting>& settings, const Names& names, b
 std::string set_text(const Study& study, std::size_t set);
 std::string point_text(const Study& study, std::size_t point);
 
-// Along what the page of a study draws its points. Test: tests/unit/study_report/study_data_test.cpp
+// Along what the page of a study draws its points. Test: tests/unit/study_report/study_report_test.cpp
 
 /// The parameters that differ between points, with their values in the order to draw: numbers in the unit of the
 /// parameter, rising, or words. Where the points are no grid of these values: all factor sets by their labels, and the

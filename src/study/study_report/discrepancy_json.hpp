@@ -7,7 +7,7 @@
 #include <string>
 
 /// The part of a study's page on targets, as viewer/src/study/contract.ts describes it.
-/// Test: tests/unit/study_report/study_data_test.cpp
+/// Test: tests/unit/study_report/study_report_test.cpp
 namespace matrigrate::study {
 
 /// Null for a study without targets.

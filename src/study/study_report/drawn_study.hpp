@@ -9,7 +9,7 @@
 #include <vector>
 
 /// What pages draw of a study, as viewer/src/study/contract.ts describes it. Test:
-/// tests/unit/study_report/drawn_study_test.cpp
+/// tests/unit/study_report/study_report_test.cpp
 namespace matrigrate::study {
 
 /// The read-outs that a study compares: [{name, label, meaning, unit}].

@@ -8,7 +8,7 @@
 #include <vector>
 
 /// Measured tracks as pages draw them over simulated ones (MeasuredTracks of viewer/src/contract.ts).
-/// Test: tests/unit/study_report/measured_json_test.cpp
+/// Test: tests/unit/study_report/study_report_test.cpp
 namespace matrigrate::study {
 
 /// Tracks from a common origin and from time 0: of more than 200 as many, of each at most 100 positions, evenly chosen.

@@ -9,7 +9,7 @@
 
 /// What the runs of a study look like: paths, shapes, mean square displacements and adhesions, as tables that are small
 /// enough to be kept and that pages can be made from. Runs that are not done are left out. The last column of each
-/// table is the label of the point. Test: tests/unit/study_report/run_curves_test.cpp
+/// table is the label of the point. Test: tests/unit/study_report/study_report_test.cpp
 namespace matrigrate::study {
 
 /// Mean square displacement over the runs of a point at a lag that all of them have; of several cells the mean over

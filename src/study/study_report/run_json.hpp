@@ -17,7 +17,7 @@ nlohmann::ordered_json readouts_of_run(const Study& study, const Result& result,
 /// at the end.
 /// @param place  of its point on the axes
 /// @throws InputOutputError if a table of a run that is done cannot be read
-/// Test: tests/unit/study_report/study_data_test.cpp, tests/apps/study_test.cpp
+/// Test: tests/unit/study_report/study_report_test.cpp, tests/apps/study_test.cpp
 nlohmann::ordered_json run_json(const Study& study, const std::filesystem::path& study_folder, const Result& result,
                                 const nlohmann::ordered_json& place);
 

@@ -11,7 +11,7 @@
 #include <vector>
 
 /// The data of a study's report, as viewer/src/study/contract.ts describes them. Test:
-/// tests/unit/study_report/study_data_test.cpp
+/// tests/unit/study_report/study_report_test.cpp
 namespace matrigrate::study {
 
 /// A run that the page plays.
