@@ -11,7 +11,7 @@ class TracksVerb : public Program {
 protected:
   void SetUp() override {
     Program::SetUp();
-    std::filesystem::copy(MATRIGRATE_SOURCE_DIR "/tests/unit/tracks/files", folder / "files");
+    std::filesystem::copy(MATRIGRATE_TRACK_FILES, folder / "files");
   }
 };
 

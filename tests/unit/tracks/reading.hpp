@@ -11,7 +11,7 @@
 namespace matrigrate::tracks {
 
 inline Tracks of_file(const std::string& name, const TrackOptions& options = {}) {
-  return read_tracks(MATRIGRATE_SOURCE_DIR "/tests/unit/tracks/files/" + name, options);
+  return read_tracks(MATRIGRATE_TRACK_FILES "/" + name, options);
 }
 
 inline Tracks of_text(const std::string& text, const TrackOptions& options = {}) {
