@@ -103,7 +103,7 @@ plot_boxes <- function(study, readout = "v_migr_abs_um_per_h", ...) {
 
 .last_word <- function(column) sub(".*[.]", "", sub("_[^_.]*$", "", column)) # "youngs_modulus" of "ecm.youngs_modulus_Pa"
 
-# Labels of points as figures show them: those of the author as they are.
+# Labels of points as figures show them: labels of the author as they are.
 .shown <- function(labels, table) if (length(.naming(table, labels)) > 0) .in_words(labels) else labels
 
 # What the points of a study are called: the values alone, below the title of an axis, where a single parameter of numbers names them; else their labels.
@@ -158,7 +158,7 @@ plot_boxes <- function(study, readout = "v_migr_abs_um_per_h", ...) {
 # What shares a colour: the point of a study, else the cell.
 .group <- function(table) as.character(if (is.null(table$label)) table$id[1] else table$label[1])
 
-.colours <- function(n) { # told apart by all eyes
+.colours <- function(n) { # which all eyes can separate
   known <- c("#0072b2", "#d55e00", "#009e73", "#cc79a7", "#000000", "#e69f00", "#56b4e9", "#f0e442")
   if (n <= length(known)) known[seq_len(n)] else hcl.colors(n, "viridis")
 }
@@ -181,7 +181,7 @@ plot_boxes <- function(study, readout = "v_migr_abs_um_per_h", ...) {
   do.call(plot, c(own[setdiff(names(own), names(given))], given))
 }
 
-# Above the figure if one line is enough, else in it; none for more names than the eye can tell apart.
+# Above the figure if one line is enough, else in it; none for more names than the eye can separate.
 .legend <- function(names, colours) {
   if (length(names) < 2 || length(names) > 8) return(invisible())
   above <- length(names) * (0.8 * max(strwidth(names, "inches")) + 0.5) < par("pin")[1]

@@ -47,7 +47,7 @@ example_folder <- function(name = c("pair", "stiffness-study")) {
   .table(file.path(run, table), if (table == "protrusions.csv") "cause", unfinished = .is_running(run))
 }
 
-# A table of a run, or of all runs of a study, with what tells its cells apart in front.
+# A table of a run, or of all runs of a study, with the names of its cells in front.
 .cells_of <- function(folder, table, cell) {
   if (.is_run(folder)) {
     rows <- .with_cells(folder, table)
@@ -67,7 +67,7 @@ example_folder <- function(name = c("pair", "stiffness-study")) {
 
 .with_cells <- function(run, table, keys = NULL) {
   rows <- .table_of_run(run, table)
-  names(rows)[names(rows) == "id"] <- "protrusion" # id is that of the cell
+  names(rows)[names(rows) == "id"] <- "protrusion" # id names the cell
   column <- intersect(c("cell", "track"), names(rows))
   cell <- if (length(column) > 0) rows[[column]] else rep(1, nrow(rows))
   several <- if (table == "tracks.csv") length(unique(cell)) > 1 else length(column) > 0
@@ -77,7 +77,7 @@ example_folder <- function(name = c("pair", "stiffness-study")) {
   cbind(front, rows[setdiff(names(rows), column)], row.names = NULL)
 }
 
-# Tables below each other; a column that one of them lacks, such as that of a nucleus, is NA there.
+# Tables below each other; a column that one of them lacks, such as the place of a nucleus, is NA there.
 .bound <- function(tables) {
   columns <- unique(unlist(lapply(tables, names)))
   do.call(rbind, lapply(tables, function(table) {

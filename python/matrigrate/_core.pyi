@@ -1,6 +1,6 @@
 """The compiled module: a simulation that is stepped from Python, and read-outs of tracks. matrigrate.Simulation and matrigrate.tracks have their words and checks.
 
-Arrays are read-only views of 64-bit numbers, but for cell_normals, which is computed. Failures are those of matrigrate.errors.
+Arrays are read-only views of 64-bit numbers, but for cell_normals, which is computed. Failures are classes of matrigrate.errors.
 """
 from collections.abc import Callable, Sequence
 from typing import Any

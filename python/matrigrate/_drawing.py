@@ -1,4 +1,4 @@
-"""What figures of cells and matrix, and of measured tracks, are drawn of. Colours, signs and their order are those of the page of a run."""
+"""What figures of cells and matrix, and of measured tracks, are drawn of. The page of a run has the same colours and signs in the same order."""
 from __future__ import annotations
 
 from collections.abc import Collection, Iterable
@@ -20,7 +20,7 @@ Window = tuple[float, float, float, float]  # left, right, bottom, top [um]
 overlays = ("fibres", "cell", "nucleus", "protrusions", "adhesions", "path", "traction", "numbers", "scale bar", "legend",
             "colour bar")
 
-_colours = _schema.table("colours.json")  # those of the pages
+_colours = _schema.table("colours.json")  # as on the pages
 _single, _several, _nucleus, _ink, _obstacle, _traction = (_colours[name] for name in ("cell", "cells", "nucleus", "ink", "obstacle", "traction"))
 _gel, _ground = _colours["gel"], _colours["gel"][0]
 _phases = tuple(zip(("growing", "maturing", "contracting", "finishing"), _colours["phases"], strict=True))

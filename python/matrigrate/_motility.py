@@ -1,4 +1,4 @@
-"""Read-outs of tracks: those of the program (src/tracks/readouts.hpp), by the compiled module."""
+"""Read-outs of tracks, as the program computes them (src/tracks/readouts.hpp), by the compiled module."""
 from __future__ import annotations
 
 from collections.abc import Iterable

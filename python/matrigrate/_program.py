@@ -51,7 +51,7 @@ class TemporaryScenario:
 
 
 def find() -> str | None:
-    """The program: what the environment variable MATRIGRATE names, else that of a wheel, else the first on PATH; none if there is none."""
+    """The program: what the environment variable MATRIGRATE names, else the one in the wheel, else the first on PATH; none if there is none."""
     named = os.environ.get("MATRIGRATE")
     inside = Path(__file__).parent / "bin" / "matrigrate"
     return str(inside) if not named and inside.is_file() else shutil.which(named or "matrigrate")
@@ -70,7 +70,7 @@ def program() -> str:
 
 def call(words: Sequence[str], watch: Callable[[], None] | None = None) -> Outcome:
     """Calls the program, and `watch` several times a second meanwhile. If that or Ctrl-C ends the wait, the program is
-    told to stop, and waited for: it writes its checkpoint."""
+    asked to stop, and waited for: it writes its checkpoint."""
     with tempfile.TemporaryFile() as out, tempfile.TemporaryFile() as err:
         try:
             process = subprocess.Popen([program(), *words], stdout=out, stderr=err, stdin=subprocess.DEVNULL,

@@ -55,7 +55,7 @@ def help_text(p: Parameter) -> str:
 
 
 def of(section: str) -> list[Parameter]:
-    """The parameters of a section, without those of sections inside it."""
+    """The parameters of a section, without sections inside it."""
     return [p for p in _schema.parameters().values() if p.path.rsplit(".", 1)[0] == section]
 
 

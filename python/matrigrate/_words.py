@@ -17,7 +17,7 @@ from typing import Any
 from . import _motility, _schema, results
 from ._files import unit_of
 
-colours: list[str] = _schema.table("colours.json")["palette"]  #: Okabe and Ito's, told apart by all eyes
+colours: list[str] = _schema.table("colours.json")["palette"]  #: Okabe and Ito's, which all eyes can separate
 blue, red, grey = colours[0], colours[1], "#8a8f98"
 least_for_box = 5  #: runs that a box is drawn of; of fewer the runs alone
 style = {"font.size": 9, "axes.titlesize": 9, "axes.labelsize": 9, "xtick.labelsize": 8, "ytick.labelsize": 8, "legend.fontsize": 8,

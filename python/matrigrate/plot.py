@@ -25,7 +25,7 @@ _fields = {"youngs_modulus": "Young's modulus", "f_degr": "intact matrix, f_degr
 
 
 def path(run: Run | Tracks | Mapping[str, Run], axes: Axes | None = None, *, together: bool = False) -> Axes:
-    """The path of the centre of mass [um] of each cell, from its ring to its dot; of several runs by their names, of those of a study by
+    """The path of the centre of mass [um] of each cell, from its ring to its dot; of several runs by their names, of runs of a study by
     their points; of measured tracks. The path of a single cell has the colours of time.
 
     :param together: whether all begin at one point, which shows short paths of cells that are far apart
@@ -193,7 +193,7 @@ def quality(tracks: Tracks) -> Any:
 def msd(results: Run | Study | Tracks, axes: Axes | None = None) -> Axes:
     """Mean square displacement [um^2] over lags [min], both logarithmic; of a run for each cell, of a study for each point,
     with its standard error. The dashed lines have the slopes of a random walk (1) and of a straight path (2). A run of
-    less than 20 min has none, and the figure says so. Of measured tracks that of all together."""
+    less than 20 min has none, and the figure says so. Measured tracks have one curve together."""
     axes = axes or _new_axes()
     axes.set(xlabel="lag (min)", ylabel="mean square displacement (µm²)")
     if isinstance(results, Tracks):

@@ -41,7 +41,7 @@ def _known() -> dict[str, dict[str, Any]]:
 
 
 def _is_shown(name: str, values: Iterable[float]) -> bool:
-    """True if a read-out is printed: those of uniaxial fibres and of several cells are printed only if a cell has a value."""
+    """True if a read-out is printed: read-outs of uniaxial fibres and of several cells are printed only if a cell has a value."""
     known = _known().get(name, {})
     return not (known.get("of_uniaxial_fibres") or known.get("of_several_cells")) or not all(math.isnan(value) for value in values)
 
@@ -103,7 +103,7 @@ class Readouts(Mapping[str, float]):
 
 
 class ReadoutsOfCells(Mapping[int, Readouts]):
-    """The read-outs of a run of several cells: by the number of the cell, from 1, those of that cell; by the name of a
+    """The read-outs of a run of several cells: by the number of a cell, from 1, the read-outs of one cell; by the name of a
     read-out, also as an attribute, an array with its value of each cell in their order.
 
     >>> readouts = ReadoutsOfCells([{"cell": 1, "f_mat": 0.5}, {"cell": 2, "f_mat": None}])
@@ -213,7 +213,7 @@ class Run:
     @property
     def status(self) -> str:
         """"done", "failed", "interrupted" (stopped with a checkpoint), "running", or "unfinished" (nothing works on it,
-        and it was not told to stop: it was killed)."""
+        and nobody asked it to stop: it was killed)."""
         status = str(self.record["status"])
         return "unfinished" if status == "running" and not self._is_worked_on() else status
 
@@ -294,7 +294,7 @@ class Run:
 
     @functools.cached_property
     def readouts(self) -> Readouts | ReadoutsOfCells:
-        """The paper's read-outs by name, with units; of several cells those of each. Written when the run ends."""
+        """The paper's read-outs by name, with units; of several cells, of each. Written when the run ends."""
         path = self._existing("summary.json")
         values = read_json(path)
         cells = values.get("cells", [values])

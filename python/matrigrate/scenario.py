@@ -17,7 +17,7 @@ from ._sections import Section as Section
 from ._sections import Sections, classes, help_text, of, unknown
 from .errors import ConfigurationError, Fault, InputOutputError
 
-_usual_adaptive_step = 5.0  # s; that of the reference is the schema's default
+_usual_adaptive_step = 5.0  # s; the reference has the schema's default
 
 
 def _file_of(text: str) -> tuple[str, str] | None:
@@ -38,7 +38,7 @@ def _file_of(text: str) -> tuple[str, str] | None:
 
 
 def _plain(value: Any) -> Any:
-    """Numbers of numpy as those of Python."""
+    """Numbers of numpy as numbers of Python."""
     return value.item() if type(value).__module__ == "numpy" and getattr(value, "ndim", 1) == 0 else value
 
 
@@ -81,9 +81,9 @@ class Scenario(Sections, Mapping[str, Value]):
         self._given: dict[str, Value] = {}
         self._cells: list[dict[str, Value]] = []
         faults: list[Fault] = []
-        told = dict(_arguments.mapping("values", values))
-        written = told.pop("version", None) is not None  # by a program
-        flat = list(_flat(told))
+        given = dict(_arguments.mapping("values", values))
+        written = given.pop("version", None) is not None  # by a program
+        flat = list(_flat(given))
         gone = _schema.gone()
         for path, value, nested in flat:
             if path in gone:  # earlier versions had it; one value is left
@@ -295,7 +295,7 @@ class Scenario(Sections, Mapping[str, Value]):
 
     @property
     def closures(self) -> str:
-        """The set of closures that the values belong to, "third set"; "mixed: ..." with those of each set.
+        """The set of closures that the values belong to, "third set"; "mixed: ..." with the parameters of each set.
 
         :raises CoreNotFound: if the package was installed without its compiled module
         """

@@ -141,7 +141,7 @@ class _Watch:
         self._tell(t, min(1.0, t / whole))
 
     def end(self, run: Run) -> None:
-        """Tells the end, unless that was told."""
+        """Reports the end, once."""
         t = run.record.get("t_s")
         if isinstance(t, (int, float)):
             self._tell(float(t), 1.0)

@@ -54,7 +54,7 @@ class Matrix:
 
     @property
     def density(self) -> Floats:
-        """Density over that of the start, shape (n,)."""
+        """Density over the density at the start, shape (n,)."""
         return self._core.matrix_rho()
 
     @property
@@ -64,7 +64,7 @@ class Matrix:
 
 
 class Cell:
-    """A cell now. Arrays are read-only views, as those of Matrix."""
+    """A cell now. Arrays are read-only views, as in Matrix."""
 
     def __init__(self, core: _core.Simulation, index: int) -> None:
         self._core, self._index = core, index
@@ -199,13 +199,13 @@ class Simulation:
 
     @property
     def failure(self) -> str | None:
-        """When and why a step failed, "failed at 130 s: ..."; None if none did. The arrays are then those of a step that
+        """When and why a step failed, "failed at 130 s: ..."; None if none did. The arrays are then of a step that
         broke off, to be looked at, and no further step is made."""
         return self._core.failure
 
     @property
     def closures(self) -> str:
-        """The set of closures that the parameters belong to, "third set"; "mixed: ..." with those of each set."""
+        """The set of closures that the parameters belong to, "third set"; "mixed: ..." with the parameters of each set."""
         return self._core.closures
 
     @property

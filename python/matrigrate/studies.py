@@ -43,7 +43,7 @@ class Runs(Mapping[str, Run]):
 
 
 class Study:
-    """The folder of a study. Tables are those of ``matrigrate study collect``, with units in their column names."""
+    """The folder of a study. Tables are made by ``matrigrate study collect``, with units in their column names."""
 
     def __init__(self, folder: str | os.PathLike[str]) -> None:
         self.folder = _arguments.path("folder", folder, "the path of a study")
@@ -103,7 +103,7 @@ class Study:
         return Runs(self.folder / "runs", self)
 
     def tracks(self) -> pandas.DataFrame:
-        """The tracks of all runs that have begun, in one frame: those of ``Run.tracks`` with the columns ``run``,
+        """The tracks of all runs that have begun, in one frame: ``Run.tracks`` of each, with the columns ``run``,
         ``label``, the parameters, ``replicate`` and ``seed`` in front."""
         return self._all("tracks")
 

@@ -88,7 +88,7 @@ class Tracks(Mapping[str, Any]):
                                              list(self.notes), self._starts)
 
     def _firsts(self) -> dict[str, int]:
-        """Start of each track, in intervals from that of the first one: of a track that is out of step the nearest."""
+        """Start of each track, in intervals from the start of the first one: of a track that is out of step the nearest."""
         first = min(self._starts.values())
         return {name: math.floor((start - first) / self.interval + 0.5) for name, start in self._starts.items()}
 
@@ -124,7 +124,7 @@ class Tracks(Mapping[str, Any]):
         """A row per read-out: ``value``, ``standard_error`` (bootstrap over tracks; NaN of a single track), ``unit``,
         ``meaning``. NaN is what the tracks do not define; ``notes`` then says it if ``error`` is the reason.
 
-        :param interval: [s] if a longer one than that of the tracks
+        :param interval: [s] if longer than the interval of the tracks
         :param error: localisation error of a coordinate [um], taken off the mean square displacement, and so of its slopes
             and of the persistence time; speeds, ratios and angles keep theirs: give simulated tracks the same with
             ``with_error``
@@ -226,7 +226,7 @@ def read(file: str | os.PathLike[str], *, pixel: float | None = None, frame_inte
     :param time_unit: unit of a column of times: ``"ms"``, ``"s"``, ``"min"``, ``"h"`` or ``"d"``
     :param columns: names of columns, or their numbers from 1, where they are not found by themselves:
         ``{"track": "Cell no.", "t": 2, "x": "east", "y": "north"}``. Keys are ``track``, ``t``, ``frame``, ``x``, ``y``, ``z``,
-        ``group`` (one or several that tell tracks of the same number apart), ``measured`` and ``made_up`` (whether a position
+        ``group`` (one or several that separate tracks of the same number), ``measured`` and ``made_up`` (whether a position
         was seen); None for a group or made_up that is there and is not meant
     :param layout: names of this program only, such as ``"imaris"``
     :param splits: what is done with tracks that divide or merge: ``"refuse"``, ``"cut"`` before it, or ``"drop"``
@@ -281,7 +281,7 @@ def from_frame(frame: pandas.DataFrame, **options: Any) -> Tracks:
 def of(result: Run | Study, interval: float | None = None) -> Tracks:
     """The tracks of a run or of all runs of a study: of each cell.
 
-    :param interval: [s] that of the microscope: a whole multiple of ``output.track_interval``
+    :param interval: [s] of the microscope: a whole multiple of ``output.track_interval``
     """
     if not isinstance(result, (Run, Study)):
         raise TypeError(f"result must be a run or a study, not {type(result).__name__}")

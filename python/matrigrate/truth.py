@@ -108,7 +108,7 @@ class Movie:
     def tracks(self) -> pandas.DataFrame:
         """A row for each cell in each frame: ``track_id``, ``t`` (number of the frame), ``y``, ``x`` in pixels, as a tracks layer of
         napari takes them, then ``t_s`` [s], ``x_um``, ``y_um`` [um] of the model, and ``area_um2``. The place is the
-        centre of the area, as a segmentation finds it; that of ``run.tracks`` is the mean of the particles of the cortex."""
+        centre of the area, as a segmentation finds it; the centre in ``run.tracks`` is the mean of the particles of the cortex."""
         rows = []
         for t, k in enumerate(self.frames):
             for number, outline in self.run.fields.outlines(k).items():
