@@ -108,7 +108,7 @@ class Tracks(Mapping[str, Any]):
         """
         (drift, said), firsts = self._drift(), self._firsts()
         if not said:
-            raise ConfigurationError(f"drift: at no time 5 of {len(self)} tracks go on together, so it cannot be told from migration")
+            raise ConfigurationError(f"drift: at no time 5 of {len(self)} tracks go on together, so it cannot be separated from migration")
         reach = max(firsts[name] + len(track) for name, track in self.items())
         drift = np.pad(drift, ((0, max(0, reach - len(drift))), (0, 0)), mode="edge")  # tracks may end with gaps
         moved = {name: track - drift[firsts[name]:firsts[name] + len(track)] for name, track in self.items()}

@@ -253,7 +253,7 @@ std::string parameters_markdown() {
       "TOML, taplo) complete and check the scenario with it. `matrigrate new FILE` names `scenario.schema.json` and "
       "writes it beside the file; `matrigrate new FILE --schema PATH` names another one and writes none. "
       "`scenarios/baseline.toml` names `docs/scenario.schema.json`. The line changes no result.\n\n"
-      "*Table 1* and *Methods* are those of Heck et al. 2020; a default without a source was chosen for this "
+      "*Table 1* and *Methods* mean Heck et al. 2020; a default without a source was chosen for this "
       "program.\n";
   for_each_section(
       [&](const Section& s) {

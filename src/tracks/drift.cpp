@@ -25,7 +25,7 @@ std::vector<Sum> sums_of(const Tracks& tracks, double first) {
   std::size_t last = 0;
   for (const Track& track : tracks.tracks) last = std::max(last, tracks.offset(track, first) + track.span());
   if (last > most_times)
-    throw std::invalid_argument(fmt::format("its tracks are {} intervals apart: drift cannot be told", last));
+    throw std::invalid_argument(fmt::format("its tracks are {} intervals apart: drift cannot be found", last));
   std::vector<Sum> sums(last + 1);
   for (const Track& track : tracks.tracks) {
     const std::size_t offset = tracks.offset(track, first);
@@ -87,7 +87,7 @@ void take_drift_away(Tracks& tracks) {
   const Drift drift = drift_of(tracks);
   if (drift.said.empty())
     throw std::invalid_argument(
-        fmt::format("at no time {} tracks go on together, so drift cannot be told from migration; it has {} tracks",
+        fmt::format("at no time {} tracks go on together, so drift cannot be separated from migration; it has {} tracks",
                     least_for_drift, tracks.tracks.size()));
   const double first = tracks.first();
   for (Track& track : tracks.tracks) {

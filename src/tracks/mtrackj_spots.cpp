@@ -38,7 +38,7 @@ public:
     }
     if (m_rows.back().fields[0] != "End")
       m_findings.fault(m_rows.back().line, "is cut short: its last line is not \"End of MTrackJ Data File\"");
-    if (m_heights.size() > 1) m_findings.note("z is left out: read-outs are those of the projection on the plane");
+    if (m_heights.size() > 1) m_findings.note("z is left out: read-outs are of the projection on the plane");
     return std::move(m_spots);
   }
 

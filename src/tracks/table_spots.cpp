@@ -368,7 +368,7 @@ private:
       m_findings.note(fmt::format("{} in no track (id {}) {} left out", counted(m_loose, "position"),
                                   excerpt(fmt::format("{}", fmt::join(m_no_tracks, ", ")), 40),
                                   m_loose == 1 ? "is" : "are"));
-    if (m_heights.size() > 1) m_findings.note("z is left out: read-outs are those of the projection on the plane");
+    if (m_heights.size() > 1) m_findings.note("z is left out: read-outs are of the projection on the plane");
     if (m_spots.made_up > 0)
       m_findings.note(fmt::format("{} that the tracker made up ({}) are missing positions",
                                   counted(m_spots.made_up, "position"),

@@ -161,7 +161,7 @@ public:
     if (!closed)
       m_findings.fault(m_reader.line(), m_reader.fault().empty() ? "is cut short: </Tracks> is missing"
                                                                  : "is no XML: " + m_reader.fault());
-    if (m_heights.size() > 1) m_findings.note("z is left out: read-outs are those of the projection on the plane");
+    if (m_heights.size() > 1) m_findings.note("z is left out: read-outs are of the projection on the plane");
     return std::move(m_spots);
   }
 

@@ -100,7 +100,7 @@ Result fibres(const Parameters& p) {
     }
     for (const double at : {0.06, 0.12})
       result.checks.push_back(
-          {fmt::format("{}: stress of the specimen over that of the infinite lattice at {}", name, at),
+          {fmt::format("{}: stress of the specimen over the infinite lattice at {}", name, at),
            stress_at(specimen, at) / stress_at(lattice, at), 1.0, 0.01,
            "both are homogeneous: steps in time, and the end of relaxation"});
     result.checks.push_back({fmt::format("{}: strain at which stiffening sets in", name), onset_of(q), p.fibres.onset,

@@ -78,7 +78,7 @@ Result load(const Parameters& p) {
   };
   report::Plot of_weight{.title = "Compliance against the hourglass weight",
                          .x_label = "hourglass weight",
-                         .y_label = "compliance over that of the continuum",
+                         .y_label = "compliance over the continuum",
                          .log_x = true};
   constexpr std::array weights{0.5, 2.0, 10.0};
   for (const double spread : {1.0, 1.5, 2.0, 2.5}) {
@@ -90,7 +90,7 @@ Result load(const Parameters& p) {
     }
     const double change = series.y.front() / series.y.back() - 1.0;
     if (spread == 2.5) {
-      result.checks.push_back({"compliance over that of the continuum, kernel of 2.5 times the width", series.y.front(),
+      result.checks.push_back({"compliance over the continuum, kernel of 2.5 times the width", series.y.front(),
                                1.0, 0.05, "a load that is resolved: an adhesion feels the gel within a twentieth"});
       result.checks.push_back({"its change from weight 0.5 to 10", change, 0.0, 0.03,
                                "the penalty has no physics, so a resolved load must not feel it"});
@@ -103,7 +103,7 @@ Result load(const Parameters& p) {
   }
   report::Plot of_load{.title = "Compliance against the load",
                        .x_label = "load (nN)",
-                       .y_label = "compliance over that of a small load",
+                       .y_label = "compliance over its value at a small load",
                        .log_x = true};
   const Parameters usual = with(p, 1.0, p.ecm.hourglass_weight);
   const double linear = loaded(usual, small).compliance;

@@ -64,7 +64,7 @@ Result maturation(const Parameters& p) {
     plot.series.push_back(std::move(force));
     result.checks.push_back({fmt::format("f_mat at {:.0f} Pa with the second set of closures", row.E),
                              mature(with_second_closures(q), [](double, double, double) {}), row.f_mat, maturation_step,
-                             "one step of maturation; that of an independent program"});
+                             "one step of maturation; by an independent program"});
   }
   for (std::size_t k = 1; k < f_mat.size(); ++k)
     result.checks.push_back({fmt::format("rise of f_mat from {:.0f} to {:.0f} Pa", expected[k - 1].E, expected[k].E),

@@ -95,9 +95,9 @@ constexpr std::array<Sign, 9> signs{{
      [](const HealthRow& row) { return static_cast<double>(row.engulfed); }},
     {"n_solid_inside", "solid particles inside the cell, largest number",
      [](const HealthRow& row) { return static_cast<double>(row.solid_inside); }},
-    {"area_ratio", "area of the cell over that of the start, largest deviation from 1",
+    {"area_ratio", "area of the cell over its start, largest deviation from 1",
      [](const HealthRow& row) { return off_one(row.area_ratio); }},
-    {"density_max", "density of the solid over that of the start, largest deviation from 1",
+    {"density_max", "density of the solid over its start, largest deviation from 1",
      [](const HealthRow& row) { return std::fmax(off_one(row.density_max), off_one(row.density_min)); }},
 }};
 
