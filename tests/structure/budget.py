@@ -15,14 +15,15 @@ budget = {
     "src/model": 10964,
     "src/run": 10547,
     "src/validation": 2829,
-    "src/study": 9090,
-    "apps": 5678,
+    "src/study": 8549,
+    "apps": 5644,
     "python": 6862,
     "R": 720,
     "web": 1243,
     "viewer/src": 10651,
 }
-most_files = 1318
+wide = {"python": 347, "R": 45, "web": 43, "viewer/src": 223}  # lines of more than 120 columns
+most_files = 1259
 endings = (".cpp", ".hpp", ".h", ".py", ".ts", ".css", ".mjs", ".R")
 
 
