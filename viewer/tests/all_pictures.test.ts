@@ -71,14 +71,14 @@ function made(folder: string): { pictures: Map<string, string>; pages: Map<strin
   }
   const python = { env: { ...process.env, PYTHONPATH: join(source!, "python"), MATRIGRATE: program, MATRIGRATE_SMALL_RUNS: folder, MATRIGRATE_KEEP: folder }, cwd: folder, stdio: "pipe" } as const;
   execFileSync("/usr/bin/python3", ["-B", join(source!, "tests/pictures/figures.py"), "run", "study", "."], python);
-  execFileSync("/usr/bin/python3", ["-B", join(source!, "tests/python/test_labels.py"), "Pages.test_of_a_fit", "Pages.test_of_a_match"], python);
+  execFileSync("/usr/bin/python3", ["-B", join(source!, "tests/python/test_labels.py"), "Pages.test_of_a_fit"], python);
   execFileSync("Rscript", ["--vanilla", join(source!, "tests/pictures/figures.R"), source!, "run", "study", "."], { cwd: folder, stdio: "pipe" });
   const found: [string, string][] = readdirSync(folder).filter((name) => /^(python|r)-.*\.png$/.test(name)).map((name) => [name.slice(0, -4), name]);
   found.push(["panel", "panel/panel.svg"]);
   const last = (of: string, like: RegExp) => join(of, readdirSync(join(folder, of)).filter((name) => like.test(name)).sort().at(-1)!);
   found.push(["frame", last("png", /\.png$/)], ["frame-svg", last("png", /\.svg$/)], ["field", last("fields", /\.svg$/)]);
   const pages: [string, string][] = [["run", "run/report.html"], ["fibres", "fibres/report.html"], ["study", "study/report.html"], ["case", "stretch/report.html"],
-    ["claims", "claims/report-E5.html"], ["fit", "fit.html"], ["match", "match.html"]];
+    ["claims", "claims/report-E5.html"], ["fit", "fit.html"]];
   return { pictures: new Map(found), pages: new Map(pages) };
 }
 
@@ -89,7 +89,7 @@ const bytes = (file: string): string =>
 async function ofPage(page: Page, name: string, file: string): Promise<[string, string][]> {
   await page.setViewportSize({ width: 1280, height: 900 });
   await page.goto(pathToFileURL(file).href);
-  if (existsSync(file) && !/fi?t|match/.test(name)) await page.waitForSelector("html[data-ready=true]");
+  if (existsSync(file) && !/fi?t/.test(name)) await page.waitForSelector("html[data-ready=true]");
   const found: [string, string][] = [];
   if (await page.locator(".plotly-figure").count()) await allDrawn(page);
   const shown = page.locator("figure:visible");
