@@ -86,9 +86,9 @@ Drift drift_of(const Tracks& tracks) {
 void take_drift_away(Tracks& tracks) {
   const Drift drift = drift_of(tracks);
   if (drift.said.empty())
-    throw std::invalid_argument(
-        fmt::format("at no time {} tracks go on together, so drift cannot be separated from migration; it has {} tracks",
-                    least_for_drift, tracks.tracks.size()));
+    throw std::invalid_argument(fmt::format(
+        "at no time {} tracks go on together, so drift cannot be separated from migration; it has {} tracks",
+        least_for_drift, tracks.tracks.size()));
   const double first = tracks.first();
   for (Track& track : tracks.tracks) {
     const std::size_t offset = tracks.offset(track, first);

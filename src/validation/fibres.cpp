@@ -99,10 +99,9 @@ Result fibres(const Parameters& p) {
           {1e3 * gel_of.k_0, s.strain, 1e3 * s.stress, 1e3 * stress_at(lattice, s.strain), law_points[k].stress});
     }
     for (const double at : {0.06, 0.12})
-      result.checks.push_back(
-          {fmt::format("{}: stress of the specimen over the infinite lattice at {}", name, at),
-           stress_at(specimen, at) / stress_at(lattice, at), 1.0, 0.01,
-           "both are homogeneous: steps in time, and the end of relaxation"});
+      result.checks.push_back({fmt::format("{}: stress of the specimen over the infinite lattice at {}", name, at),
+                               stress_at(specimen, at) / stress_at(lattice, at), 1.0, 0.01,
+                               "both are homogeneous: steps in time, and the end of relaxation"});
     result.checks.push_back({fmt::format("{}: strain at which stiffening sets in", name), onset_of(q), p.fibres.onset,
                              2.0 * largest_strain / lattice_increments, "two increments of the infinite lattice"});
     const double error = relative_error(specimen, law_points, judged_up_to);

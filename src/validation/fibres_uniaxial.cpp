@@ -38,16 +38,16 @@ Result fibres_uniaxial(const Parameters& p) {
     for (const Stretch& s : specimen)
       result.table.add(
           {angle, s.strain, 1e3 * s.stress, 1e3 * stress_at(lattice, s.strain), 1e3 * stress_at(isotropic, s.strain)});
-    result.checks.push_back({fmt::format("{}: stress of the specimen over the infinite lattice at 0.06",
-                                         angle == 0.0 ? "along" : "across"),
-                             stress_at(specimen, 0.06) / stress_at(lattice, 0.06), 1.0, 0.01,
-                             "both are homogeneous: steps in time, and the end of relaxation"});
+    result.checks.push_back(
+        {fmt::format("{}: stress of the specimen over the infinite lattice at 0.06", angle == 0.0 ? "along" : "across"),
+         stress_at(specimen, 0.06) / stress_at(lattice, 0.06), 1.0, 0.01,
+         "both are homogeneous: steps in time, and the end of relaxation"});
     specimens.push_back(specimen);
   }
   for (const double strain : {0.05, 0.1}) {
     const double ratio = stress_at(specimens[0], strain) / stress_at(isotropic, strain);
-    result.claims.push_back({fmt::format("stress along over the isotropic gel of 2.4 mg/ml at {}", strain),
-                             ratio, 1.5, 0.5, "the paper's Fig 2D: somewhat stiffer along; between once and twice"});
+    result.claims.push_back({fmt::format("stress along over the isotropic gel of 2.4 mg/ml at {}", strain), ratio, 1.5,
+                             0.5, "the paper's Fig 2D: somewhat stiffer along; between once and twice"});
     result.claims.push_back({fmt::format("stress along over stress across at {}", strain),
                              stress_at(specimens[0], strain) / stress_at(specimens[1], strain), 10.0, 0.0,
                              "the paper's Fig 2D: very soft across", Sense::at_least});

@@ -90,8 +90,8 @@ Result load(const Parameters& p) {
     }
     const double change = series.y.front() / series.y.back() - 1.0;
     if (spread == 2.5) {
-      result.checks.push_back({"compliance over the continuum, kernel of 2.5 times the width", series.y.front(),
-                               1.0, 0.05, "a load that is resolved: an adhesion feels the gel within a twentieth"});
+      result.checks.push_back({"compliance over the continuum, kernel of 2.5 times the width", series.y.front(), 1.0,
+                               0.05, "a load that is resolved: an adhesion feels the gel within a twentieth"});
       result.checks.push_back({"its change from weight 0.5 to 10", change, 0.0, 0.03,
                                "the penalty has no physics, so a resolved load must not feel it"});
     }

@@ -48,7 +48,7 @@ TEST(Documents, CommentsNameFilesThatExist) {
 }
 
 TEST(Documents, HeadersNameTheirTestByItsPath) {
-  const std::regex test(R"(Test:\s*(?:///\s*)?(\S*))");
+  const std::regex test(R"(Test:\s*(?://+\s*)?(\S*))");
   for (const char* folder : {"src", "apps"})
     for (const Source& source : sources(root / folder))
       for (auto i = std::sregex_iterator(source.text.begin(), source.text.end(), test); i != std::sregex_iterator();
