@@ -411,7 +411,7 @@ TEST(Claims, TableSaysWhyNot) {
             "maturation of protrusions, mean: 1.15 [0.945, 1.36] (n_prot 1), 2.15 [1.94, 2.36] (n_prot 2)");
   EXPECT_EQ(why_not(no.finding),
             "not met: maturation of protrusions, mean: n_prot 2 not significantly different from n_prot 1 "
-            "(difference 1 [0.777, 1.22], p 3.4e-05)");
+            "(difference 1 [0.777, 1.22], g 6.7 [2.8, 11], p 3.4e-05)");
   EXPECT_EQ(why_not(yes.finding), "");
   EXPECT_EQ(bottom_line({no, yes}), "1 of 2 hold: 0 of 1 calibration, 1 of 1 predicted; 1 more in direction");
   EXPECT_TRUE(claims_csv({no, yes}).starts_with("id,kind,claim,published,ours,verdict,why_not,"));
