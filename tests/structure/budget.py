@@ -14,7 +14,7 @@ budget = {
     "src/parameters": 4992,
     "src/model": 10964,
     "src/run": 10547,
-    "src/validation": 2829,
+    "src/validation": 2828,
     "src/study": 8549,
     "apps": 5644,
     "python": 6862,
