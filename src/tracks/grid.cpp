@@ -47,7 +47,7 @@ public:
     leave_short_out();
     find_interval();
     if (m_paths.size() < m_options.fewest)
-      m_findings.fault(0, fmt::format("has {} of at least {}; {} are needed to see how cells differ ({}, {})",
+      m_findings.fault(0, fmt::format("has {} of at least {}; {} are needed to tell how cells differ ({}, {})",
                                       counted(m_paths.size(), "track"), counted(m_options.shortest, "position"),
                                       m_options.fewest, m_options.say("shortest"), m_options.say("fewest")));
     if (!m_findings.good()) return;

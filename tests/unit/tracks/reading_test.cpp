@@ -168,7 +168,7 @@ TEST(TrackGrid, ShortAndFewAndStillTracks) {
   options.fewest = 2;
   const std::string one = "a,0,0,0\na,60,1,0\na,120,1,0\nb,0,0,0\nb,60,1,0\n";
   EXPECT_EQ(faults(head + one, options),
-            "f: has 1 track of at least 3 positions; 2 are needed to see how cells differ (--shortest, "
+            "f: has 1 track of at least 3 positions; 2 are needed to tell how cells differ (--shortest, "
             "--fewest)");
   options.fewest = 1;
   EXPECT_TRUE(notes(of_text(head + one, options), "1 track of fewer than 3 positions is left out"));
