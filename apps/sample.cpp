@@ -10,7 +10,6 @@
 #include "simulation/start.hpp"
 #include "simulation/start_rules.hpp"
 #include "study_plan/conditions.hpp"
-#include "study_results/discrepancy.hpp"
 #include "study_results/results.hpp"
 
 #include <CLI/CLI.hpp>
@@ -147,7 +146,7 @@ void add_distance(Json& json, const std::vector<study::Target>& targets, const s
   std::vector<double> all;
   for (const study::Target& target : targets) {
     const double value = readouts[study::readout_column(target.readout)];
-    const double z = study::distance(target, value, 0.0);
+    const double z = study::distance(target, value);
     all.push_back(z);
     list.push_back({{"readout", target.readout},
                     {"low", target.low},
@@ -157,7 +156,7 @@ void add_distance(Json& json, const std::vector<study::Target>& targets, const s
                     {"z", number_or_null(z)}});
   }
   json["targets"] = list;
-  json["distance"] = number_or_null(study::distance_of_run(targets, all));
+  json["distance"] = number_or_null(study::distance(targets, all));
 }
 
 RunOutcome run_in(const TemporaryFolder& folder, const Parameters& p, const SampleArguments& options) {

@@ -66,6 +66,7 @@ _matrigrate() {
   matrigrate_study_submit:--chunk) COMPREPLY=(); return ;;
   matrigrate_study_submit:--launcher) COMPREPLY=(); return ;;
   matrigrate_study_task:--list) COMPREPLY=(); return ;;
+  matrigrate_tracks:--beside) COMPREPLY=(); return ;;
   matrigrate_tracks:--pixel) COMPREPLY=(); return ;;
   matrigrate_tracks:--interval) COMPREPLY=(); return ;;
   matrigrate_tracks:--time-unit) COMPREPLY=($(compgen -W "ms s min h d" -- "$cur")); return ;;
@@ -137,7 +138,7 @@ _matrigrate() {
   matrigrate_study_task)
     if [[ $cur == -* ]]; then COMPREPLY=($(compgen -W "--help --list" -- "$cur")); else _matrigrate_files -d; fi ;;
   matrigrate_tracks)
-    if [[ $cur == -* ]]; then COMPREPLY=($(compgen -W "--help --pixel --interval --time-unit --columns --layout --splits --jitter --shortest --fewest --drift --every --error --resamples --output --force --json" -- "$cur")); else _matrigrate_files -f; fi ;;
+    if [[ $cur == -* ]]; then COMPREPLY=($(compgen -W "--help --beside --pixel --interval --time-unit --columns --layout --splits --jitter --shortest --fewest --drift --every --error --resamples --output --force --json" -- "$cur")); else _matrigrate_files -f; fi ;;
   matrigrate_list)
     if [[ $cur == -* ]]; then COMPREPLY=($(compgen -W "--help --parameters --schema-json --readouts-json" -- "$cur")); else COMPREPLY=(); fi ;;
   matrigrate_live)

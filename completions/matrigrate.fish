@@ -171,6 +171,7 @@ complete -c matrigrate -n '__matrigrate_at study task' -l list -x -d 'Which run 
 
 complete -c matrigrate -n '__matrigrate_at tracks' -F
 complete -c matrigrate -n '__matrigrate_at tracks' -s h -l help -d 'Print this help message and exit'
+complete -c matrigrate -n '__matrigrate_at tracks' -l beside -x -d 'Folder of a run or a study: writes a page (-o, default beside.html) with paths, mean square displacements and distributions of all files and of the model, at the interval, duration and --error of the files'
 complete -c matrigrate -n '__matrigrate_at tracks' -l pixel -x -d 'um per unit of length of the file of tracks, where it does not state um'
 complete -c matrigrate -n '__matrigrate_at tracks' -l interval -x -d 'Time from frame to frame [s]'
 complete -c matrigrate -n '__matrigrate_at tracks' -l time-unit -x -a 'ms s min h d' -d 'Unit of the column of time, where the file does not state it: ms, s, min, h or d'

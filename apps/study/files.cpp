@@ -1,7 +1,6 @@
 #include "apps/study/files.hpp"
 
 #include "apps/shipped_pages.hpp"
-#include "apps/study/discrepancy_text.hpp"
 #include "apps/terminal/terminal.hpp"
 #include "apps/verbs.hpp"
 #include "study_plan/names.hpp"
@@ -118,7 +117,7 @@ std::string collected_text(const StudyFolder& study, const Collected& collected)
     if (study.study.points.size() <= most_shown) text += groups_text(study, samples, readout, lost);
     text += comparisons_text(study, collected.comparisons, readout) + "\n";
   }
-  return text + remarks_text(collected.comparisons) + discrepancy_text(study.study, collected.discrepancies)
+  return text + remarks_text(collected.comparisons)
          + (collected.claims.empty() ? "" : "\n" + claims_text(collected.claims));
 }
 

@@ -215,7 +215,6 @@ int collect_study(const StudyOptions& options) {
     for (const char* name : {"paths.csv", "msd.csv", "adhesions.csv"})
       if (std::filesystem::exists(study.folder / name)) files.push_back(name);
     if (!collected.claims.empty()) files.push_back("claims.csv");
-    if (!study.study.targets.empty()) files.push_back("discrepancy.csv");
     print_json({{"folder", options.folder},
                 {"runs", study.runs.size()},
                 {"done", finished},

@@ -64,7 +64,7 @@ void add_reading(CLI::App& group, Action& chosen) {
   add_common(*verb, *gather, "Print no tables");
   verb->footer("Writes results.csv (a row per run), groups.csv, statistics.csv, correlations.csv and report.html;\n"
                "of at most 60 points paths.csv, msd.csv and adhesions.csv;\n"
-               "with targets discrepancy.csv, and with claims claims.csv.");
+               "with claims claims.csv.");
   verb->callback([gather, &chosen] { chosen = [gather] { return collect_study(*gather); }; });
 }
 

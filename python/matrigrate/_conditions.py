@@ -57,7 +57,8 @@ def runs_of(study: Source | Mapping[str, Source], conditions: Sequence[str], giv
     if not isinstance(study, Mapping):
         return _of_waves(study, conditions, given)
     if lacking := [name for name in conditions if name not in study]:
-        raise ConfigurationError("\n".join(f"{name}: there is no study of this condition; there are {', '.join(map(str, study))}" for name in lacking))
+        raise ConfigurationError("\n".join(f"{name}: there is no study of this condition; there are {', '.join(map(str, study))}"
+                                           for name in lacking))
     if not conditions:
         raise ConfigurationError("measured: studies by condition need what was measured by condition: "
                                  f"{{\"{next(iter(study), '50 Pa')}\": {{\"l_prot_um\": (13.1, 0.4)}}}}")
@@ -82,7 +83,8 @@ def _together(waves: list[Runs]) -> Runs:
     if len(waves) == 1:
         return waves[0]
     first = waves[0]
-    if lacking := [f"{name}: wave {k} has no such parameter" for k, wave in enumerate(waves, 1) for name in first.parameters if name not in wave.table]:
+    if lacking := [f"{name}: wave {k} has no such parameter" for k, wave in enumerate(waves, 1) for name in first.parameters
+                   if name not in wave.table]:
         raise ConfigurationError("\n".join(lacking))
     table = _pandas().concat([wave.table.assign(point=[f"{k}: {point}" for point in wave.table["point"]]) for k, wave in enumerate(waves, 1)],
                              ignore_index=True)
@@ -152,7 +154,8 @@ def targets_of(study: Any) -> dict[str, Any]:
     labels, found = [one["label"] for one in document.get("conditions", [])], dict[str, dict[str, Any]]()
     for target in document.get("targets", []):
         if "tracks" in target:
-            raise ConfigurationError(f"targets: {target['readout']}: is of tracks: give these, as matrigrate.tracks.read(\"{target['tracks']}\") reads them")
+            raise ConfigurationError(f"targets: {target['readout']}: is of tracks: give these, as matrigrate.tracks.read(\"{target['tracks']}\") "
+                                     "reads them")
         value = target["value"] if "value" in target else (target["low"], target["high"])
         for label in target.get("at", labels) or [""]:
             found.setdefault(label, {})[target["readout"]] = (value, target["error"])

@@ -1,10 +1,10 @@
 """Emulators of a study, or of several, and what is fitted by them. ``matrigrate.calibrate.fit`` is their user."""
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, TypeVar
 
 import numpy as np
 
@@ -14,7 +14,7 @@ from ._conditions import Source, by_condition, require_study, runs_of, targets_o
 from ._emulator import Array, Emulator, Prior
 from ._files import _pandas
 from ._measurement import Means, Measurement, Points, measurement, simulated, size_faults
-from ._posterior import Fit, Part, joint, predictions
+from ._posterior import Fit, Part, joint, predictions, said
 from ._process import scipy
 from .errors import ConfigurationError
 from .studies import Study
@@ -26,6 +26,7 @@ _draws = 12000  # from the prior
 _least_points = 10  # for each parameter
 _many_parameters = 6  # above which emulators have a linear part
 _largest_discrepancy = 1e100  # its square is a number
+_Made = TypeVar("_Made")
 
 
 @dataclass(frozen=True)
@@ -41,8 +42,8 @@ class Emulators:
     study: str = ""  #: its folder
 
     def __repr__(self) -> str:
-        return "\n".join(f"{name}: predicts {one.explained:.0%} ± {one.explained_error:.0%} of the variance of points; the 90 % intervals have {one.coverage:.0%}"
-                         for name, one in zip(self.names, self.processes, strict=True))
+        return "\n".join(f"{name}: predicts {one.explained:.0%} ± {one.explained_error:.0%} of the variance of points; the 90 % intervals have "
+                         f"{one.coverage:.0%}" for name, one in zip(self.names, self.processes, strict=True))
 
     def fit(self, measured: _tracks.Tracks | Means, *, besides: Means | None = None,
             discrepancy: Mapping[str, float] | None = None, seed: int = 1) -> Fit:
@@ -54,9 +55,11 @@ class Emulators:
         :param discrepancy: standard error of the model itself, by the names of read-outs
         :raises ConfigurationError: with all that is wrong
         """
-        part = Part("", self, measurement(measured, self.names, besides), measured)
-        own = _discrepancies(discrepancy, [part])
-        return joint([part], [], own, seed)
+        wanted = measurement(measured, self.names, besides)
+        faults, own = _discrepancies(discrepancy, {"": self.names})
+        if faults := faults + size_faults(wanted.table, self.points.values):
+            raise ConfigurationError("\n".join(faults))
+        return joint([Part("", self, wanted, own, measured)], [], seed)
 
     @cached_property
     def of_prior(self) -> tuple[Array, Array, Array]:
@@ -99,35 +102,50 @@ def fit(study: Source | Mapping[str, Source], measured: Any = None, readouts: Se
     :param discrepancy: standard error of the model itself, by the names of numbers or read-outs
     :raises ConfigurationError: with all that is wrong
     """
-    if not isinstance(study, Mapping):
-        require_study(study)
+    require_study(study)
     if measured is None:
         measured = targets_of(study)
     several = by_condition(measured)
     if several and (odd := [name for name, one in measured.items() if not isinstance(one, Mapping)]):
-        raise ConfigurationError("\n".join(f"measured: {name}: is neither tracks nor a dictionary of numbers, as other conditions have" for name in odd))
+        raise ConfigurationError("\n".join(f"measured: {name}: is neither tracks nor a dictionary of numbers, as other conditions have"
+                                           for name in odd))
     given = dict(measured) if several else {"": measured}
     more = _arguments.mapping("besides", besides) if several else {"": besides}
     if unknown := [f"besides: {name}: nothing was measured under such a condition" for name in more if name not in given]:
         raise ConfigurationError("\n".join(unknown))
-    wanted = {name: measurement(one, _names(one, readouts, more.get(name)), more.get(name)) for name, one in given.items()}  # faults before the work
+    wanted = _each(given, lambda name: measurement(given[name], _names(given[name], readouts, more.get(name)), more.get(name)))
+    faults, own = _discrepancies(discrepancy, {name: list(one.table.index) for name, one in wanted.items()})
+    kept = _held_back(wanted, held_back)
     runs = runs_of(study, list(given) if several else [], list(_arguments.mapping("prior", prior, "a dictionary of ranges")))
-    parts, held = list[Part](), list[Part]()
+    intervals = {name: one.interval if isinstance(one, _tracks.Tracks) else interval for name, one in given.items()}
+    points = _each(given, lambda name: simulated(runs[name], list(wanted[name].table.index), intervals[name], error))
+    faults += [fault for name, one in points.items() for fault in said(name, size_faults(wanted[name].table, one.values))]
+    if faults:
+        raise ConfigurationError("\n".join(faults))
     scipy()
-    for (condition, one), kept in zip(given.items(), _held_back(wanted, held_back), strict=True):
-        seconds = one.interval if isinstance(one, _tracks.Tracks) else interval
-        points = simulated(runs[condition], list(wanted[condition].table.index), seconds, error)
-        for names, into in (([name for name in points.values if name not in kept], parts), (kept, held)):
-            if names:
-                emulators = _named_faults(condition, lambda: of_points(points.only(names), prior, seed))
-                into.append(Part(condition, emulators, wanted[condition].only(names), one))
-    if not parts:
-        raise ConfigurationError("held_back: one number is needed that is not held back")
-    own = _discrepancies(discrepancy, [*parts, *held])
+
+    def of(names: Mapping[str, list[str]]) -> list[Part]:
+        made = _each([name for name in given if names[name]], lambda name: of_points(points[name].only(names[name]), prior, seed))
+        return [Part(name, one, wanted[name].only(names[name]), own, given[name]) for name, one in made.items()]
+
+    parts = of({name: [one for one in points[name].values if one not in kept[name]] for name in given})
+    made = joint(parts, of(kept), seed)
     folders = list(dict.fromkeys(str(one.folder) for part in runs.values() for one in part.studies.values()))
-    made = joint(parts, held, own, seed)
     first = study[0] if isinstance(study, (list, tuple)) else study
     return replace(made, source={**made.source, "study": ", ".join(folders)}, _like=first if isinstance(first, Study) else None)
+
+
+def _each(conditions: Iterable[str], made: Callable[[str], _Made]) -> dict[str, _Made]:
+    """What is made for each condition; or the faults of all, with the name of the condition."""
+    found, faults = {}, list[str]()
+    for name in conditions:
+        try:
+            found[name] = made(name)
+        except ConfigurationError as error:
+            faults += said(name, str(error).splitlines())
+    if faults:
+        raise ConfigurationError("\n".join(faults))
+    return found
 
 
 def _names(measured: Any, readouts: Any, besides: Any) -> Any:
@@ -137,24 +155,20 @@ def _names(measured: Any, readouts: Any, besides: Any) -> Any:
     return names if isinstance(names, str) else list(dict.fromkeys([*names, *_arguments.mapping("besides", besides)]))
 
 
-def _held_back(wanted: Mapping[str, Measurement], given: Sequence[str]) -> list[list[str]]:
+def _held_back(wanted: Mapping[str, Measurement], given: Sequence[str]) -> dict[str, list[str]]:
     """The read-outs of each condition that are held back."""
     if isinstance(given, str):
         raise _arguments.wrong("held_back", given, "a list of numbers")
     names = {condition: list(one.table.index) for condition, one in wanted.items()}
-    known = {wanted_name for condition, own in names.items() for name in own for wanted_name in (name, _words.at(name, condition))}
-    if unknown := [f"held_back: {name}: was not measured; there are {', '.join(_words.at(one, condition) for condition, own in names.items() for one in own)}"
-                   for name in given if name not in known]:
-        raise ConfigurationError("\n".join(unknown))
-    return [[name for name in own if name in given or _words.at(name, condition) in given] for condition, own in names.items()]
-
-
-def _named_faults(condition: str, made: Any) -> Emulators:
-    """Emulators, or their faults with the name of the condition."""
-    try:
-        return made()
-    except ConfigurationError as error:
-        raise (ConfigurationError("\n".join(f"{condition}: {line}" for line in str(error).splitlines())) if condition else error) from None
+    kept = {condition: [name for name in own if name in given or _words.at(name, condition) in given] for condition, own in names.items()}
+    all_names = [_words.at(name, condition) for condition, own in names.items() for name in own]
+    faults = [f"held_back: {name}: was not measured; there are {', '.join(all_names)}" for name in given
+              if name not in all_names and not any(name in own for own in names.values())]
+    if not faults and kept == names:
+        faults = ["held_back: one number is needed that is not held back"]
+    if faults:
+        raise ConfigurationError("\n".join(faults))
+    return kept
 
 
 def of_points(points: Points, prior: Mapping[str, Any] | None = None, seed: int = 1) -> Emulators:
@@ -239,17 +253,14 @@ def beyond(values: Array, ends: tuple[float, float], is_log: bool) -> str:
     return " and ".join(sides)
 
 
-def _discrepancies(given: Mapping[str, float] | None, parts: Sequence[Part]) -> dict[str, float]:
-    """Standard errors of the model, by the names of numbers or of read-outs; with them the sizes of measured values are looked at."""
+def _discrepancies(given: Mapping[str, float] | None, names: Mapping[str, Sequence[str]]) -> tuple[list[str], dict[str, float]]:
+    """Standard errors of the model, by the names of numbers or of read-outs; and faults.  :param names: of read-outs, by condition"""
     own = dict(_arguments.mapping("discrepancy", given, "a dictionary of standard errors"))
-    known = {name for part in parts for name in (*part.names, *part.emulators.names)}
+    known = {wanted for condition, readouts in names.items() for name in readouts for wanted in (name, _words.at(name, condition))}
     faults = [f"discrepancy: {name}: is no read-out of the emulators" for name in own if name not in known]
     faults += [f"discrepancy: {name}: {value!r} is no standard error" for name, value in own.items()
                if not (isinstance(value, (int, float, np.number)) and np.isfinite(value) and 0 <= value < _largest_discrepancy)]
-    faults += [fault for part in parts for fault in part.said(size_faults(part.wanted.table, part.emulators.points.values))]
-    if faults:
-        raise ConfigurationError("\n".join(faults))
-    return own
+    return faults, own
 
 
 def _unevenness(values: Array) -> float:

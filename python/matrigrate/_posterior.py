@@ -92,7 +92,8 @@ class Fit:
             from ._study_file import write_points
 
             if like is None and self._like is None:
-                raise ConfigurationError("like: is needed, since the fit is not of one study: it names the study from which all but the points is taken")
+                raise ConfigurationError("like: is needed, since the fit is not of one study: it names the study from which all but the points "
+                                         "is taken")
             write_points(_arguments.path("file", file), points, self._like if like is None else like)
         return points
 
@@ -119,23 +120,19 @@ class Fit:
 class Part:
     """What was measured under one condition, with the emulators of the same read-outs."""
 
-    def __init__(self, condition: str, emulators: Emulators, wanted: Measurement, measured: Any = None) -> None:
+    def __init__(self, condition: str, emulators: Emulators, wanted: Measurement, discrepancy: Mapping[str, float], measured: Any) -> None:
+        """:param discrepancy: standard errors of the model, by the names of numbers or of read-outs"""
         self.condition, self.emulators, self.wanted, self.measured = condition, emulators, wanted, measured
         self.names = [_words.at(name, condition) for name in emulators.names]
         self.low, self.high = (wanted.table[end].to_numpy(float) for end in ("low", "high"))
         self.tells = np.array([one.tells for one in emulators.processes])
-        self._own = np.zeros(len(self.names))
-
-    def with_discrepancy(self, own: Mapping[str, float]) -> Part:
-        self._own = np.array([own.get(name, own.get(readout, 0.0)) for name, readout in zip(self.names, self.emulators.names, strict=True)])
-        return self
+        own = [discrepancy.get(name, discrepancy.get(readout, 0.0)) for name, readout in zip(self.names, emulators.names, strict=True)]
+        self.covariance: Array = wanted.covariance + np.diag(np.square(own))
 
     @property
-    def covariance(self) -> Array:
-        return np.asarray(self.wanted.covariance + np.diag(self._own**2))
-
-    def said(self, notes: Iterable[str]) -> list[str]:
-        return [f"{self.condition}: {note}" if self.condition else note for note in notes]
+    def sensitivity(self) -> pandas.DataFrame:
+        found = self.emulators.sensitivity
+        return found.assign(readout=[_words.at(name, self.condition) for name in found["readout"]])
 
     def predicted(self, cube: Array) -> tuple[Array, Array]:
         return predictions(self.emulators.processes, cube)
@@ -151,7 +148,8 @@ class Part:
         return found
 
     def far(self, means: Array, errors: Array) -> Array:
-        """Distances from what was measured, in standard errors. A read-out that is not predicted has one value everywhere, with the scatter of points."""
+        """Distances from what was measured, in standard errors. A read-out that is not predicted has one value everywhere, with the scatter
+        of points."""
         values = [one.values for one in self.emulators.processes]
         means = np.where(self.tells, means, [one.mean() for one in values])
         errors = np.where(self.tells, errors, [one.std() for one in values])
@@ -161,9 +159,12 @@ class Part:
     def missed(self) -> list[str]:
         """Read-outs that no parameter changes, and that are met nowhere."""
         off = self.far(np.zeros((1, len(self.names))), np.zeros((1, len(self.names))))[0]
-        return [f"{self.names[k]}: is {values.mean():.4g} ({values.min():.4g} to {values.max():.4g}) at all points, measured is {_ends(self.low[k], self.high[k])}: "
-                "it is met nowhere" for k, values in enumerate(one.values for one in self.emulators.processes)
-                if not self.tells[k] and off[k] >= _implausible]
+        notes = []
+        for k in np.flatnonzero(~self.tells & (off >= _implausible)):
+            values, low, high = self.emulators.processes[k].values, self.low[k], self.high[k]
+            notes.append(f"{self.names[k]}: is {values.mean():.4g} ({values.min():.4g} to {values.max():.4g}) at all points, measured is "
+                         f"{low:.4g}{'' if low == high else f' to {high:.4g}'}: it is met nowhere")
+        return notes
 
     def nearest(self) -> _tracks.Tracks | None:
         """As many tracks as were measured, of the points whose emulated read-outs are nearest to the measured ones."""
@@ -171,21 +172,23 @@ class Part:
         if not points.tracks:
             return None
         at = prior.to_cube(points.parameters[prior.names].to_numpy(float))
-        chosen = {name: track for k in np.argsort(-self.likelihood(*self.predicted(at)))[:len(self.measured)] for name, track in points.tracks[k].items()}
-        return _tracks.Tracks(dict(list(chosen.items())[:len(self.measured)]), points.tracks[0].interval, [])
+        many, likely = len(self.measured), self.likelihood(*self.predicted(at))
+        chosen = {name: track for k in np.argsort(-likely)[:many] for name, track in points.tracks[k].items()}
+        return _tracks.Tracks(dict(list(chosen.items())[:many]), points.tracks[0].interval, [])
 
 
-def joint(parts: list[Part], held: list[Part], discrepancy: Mapping[str, float], seed: int) -> Fit:
+def said(condition: str, lines: Iterable[str]) -> list[str]:
+    return [f"{condition}: {line}" if condition else line for line in lines]
+
+
+def joint(parts: list[Part], held: list[Part], seed: int) -> Fit:
     """The posterior of the parameters that all parts have.
 
     :param held: predicted, not fitted
     """
-    prior = parts[0].emulators.prior
     _require_same([*parts, *held])
-    for part in (*parts, *held):
-        part.with_discrepancy(discrepancy)
-    even = parts[0].emulators.of_prior[0]
-    known = [part.emulators.of_prior[1:] for part in parts]
+    prior, even = parts[0].emulators.prior, parts[0].emulators.of_prior[0]
+    known = [(part, part.emulators.of_prior[1:]) for part in parts]
 
     def likelihood(cube: Array) -> Array:
         return np.sum([part.likelihood(*part.predicted(prior.snapped(cube))) for part in parts], axis=0)
@@ -193,34 +196,40 @@ def joint(parts: list[Part], held: list[Part], discrepancy: Mapping[str, float],
     def far(cube: Array) -> Array:
         return np.hstack([part.far(*part.predicted(prior.snapped(cube))) for part in parts])
 
-    drawn, effective = _emulator.sampled(likelihood, even, np.sum([part.likelihood(*one) for part, one in zip(parts, known, strict=True)], axis=0), seed=seed)
-    off = np.hstack([part.far(*one) for part, one in zip(parts, known, strict=True)])
+    drawn, effective = _emulator.sampled(likelihood, even, np.sum([part.likelihood(*one) for part, one in known], axis=0), seed=seed)
+    off = np.hstack([part.far(*one) for part, one in known])
     region = _space.below(lambda cube: far(cube).max(axis=1), _implausible, even, off.max(axis=1), seed)
-    names = [name for part in parts for name in part.names]
-    best = far(region.best[None])[0]
-    left = prior.snapped(region.sample)
-    table = _table(prior, drawn, left)
+    names, left = [name for part in parts for name in part.names], prior.snapped(region.sample)
     with np.errstate(invalid="ignore"):  # of a whole number that has one value
         correlations = _pandas().DataFrame(np.atleast_2d(np.corrcoef(drawn.T)), prior.names, prior.names)
-    sensitivity = _pandas().concat([part.emulators.sensitivity.assign(readout=[_words.at(name, part.condition) for name in part.emulators.sensitivity["readout"]])
-                                    for part in (*parts, *held)], ignore_index=True)
-    notes = [note for part in parts for note in part.said([*part.wanted.notes, *part.emulators.notes, *differences(part.emulators.points, part.wanted)])]
-    notes += [note for part in held for note in part.said(part.emulators.notes) if note not in notes]
-    if effective < 200:
-        notes.append(f"the effective sample size is only {effective:.0f}: quantiles are rough")
-    notes += [note for part in parts for note in part.missed()]
+    notes = _notes_of(parts, held, effective)
     if not len(left):
+        best = far(region.best[None])[0]
         notes.append(f"no parameters within the ranges give such cells: {names[int(np.argmax(best))]} is off by "
                      f"{best.max():.1f} standard errors even at the best ones")
-    notes += [bound_note(name, side, (prior.low if side == "lower" else prior.high)[k]) for k, (name, side) in enumerate(table["at_bound"].items()) if side]
+    table, sensitivity = _table(prior, drawn, left), _pandas().concat([part.sensitivity for part in (*parts, *held)], ignore_index=True)
+    notes += [bound_note(name, side, (prior.low if side == "lower" else prior.high)[k])
+              for k, (name, side) in enumerate(table["at_bound"].items()) if side]
     notes += _untold(table, correlations, sensitivity)
-    shown = _pandas().concat([*(_shown(part, drawn, region.best, False) for part in parts), *(_shown(part, drawn, region.best, True) for part in held)])
-    there = np.unique(np.concatenate([prior.to_cube(part.emulators.points.parameters[prior.names].to_numpy(float)) for part in parts]), axis=0)
+    shown = _pandas().concat([_shown(part, drawn, region.best, part in held) for part in (*parts, *held)])
+    there = np.concatenate([prior.to_cube(part.emulators.points.parameters[prior.names].to_numpy(float)) for part in parts])
+    of_tracks = [part for part in parts if isinstance(part.measured, _tracks.Tracks)]
+    files = ", ".join(part.measured.source for part in of_tracks if part.measured.source)
     return Fit(table, shown, sensitivity, _alone(names, off, even, prior), _exclusions(names, off),
                _pandas().DataFrame(prior.from_cube(drawn), columns=prior.names), correlations, region.share, effective, notes, prior,
-               {part.condition: (part.measured, part.nearest()) for part in parts if isinstance(part.measured, _tracks.Tracks)},
-               {"study": parts[0].emulators.study, "tracks": ", ".join(filter(None, (getattr(part.measured, "source", "") for part in parts))), "seed": str(seed)},
-               np.unique(left, axis=0) if any(prior.whole or []) else left, there)
+               {part.condition: (part.measured, part.nearest()) for part in of_tracks},
+               {"study": parts[0].emulators.study, "tracks": files, "seed": str(seed)},
+               np.unique(left, axis=0) if any(prior.whole or []) else left, np.unique(there, axis=0))
+
+
+def _notes_of(parts: Sequence[Part], held: Sequence[Part], effective: float) -> list[str]:
+    notes = []
+    for part in parts:
+        notes += said(part.condition, [*part.wanted.notes, *part.emulators.notes, *differences(part.emulators.points, part.wanted)])
+    notes += [note for part in held for note in said(part.condition, part.emulators.notes) if note not in notes]
+    if effective < 200:
+        notes.append(f"the effective sample size is only {effective:.0f}: quantiles are rough")
+    return notes + [note for part in parts for note in part.missed()]
 
 
 def predictions(emulators: Sequence[Emulator], at: Array) -> tuple[Array, Array]:
@@ -231,14 +240,9 @@ def predictions(emulators: Sequence[Emulator], at: Array) -> tuple[Array, Array]
 def _require_same(parts: Sequence[Part]) -> None:
     """All emulators are over the same parameters, or there are reasons why not."""
     own = [set(part.emulators.prior.names) for part in parts]
-    shared = set.intersection(*own)
-    if faults := [f"{name}: cannot be fitted: " + "; ".join(note for part in parts for note in part.said(part.emulators.notes) if note.partition(": is ")[0].endswith(name))
-                  for name in sorted(set.union(*own) - shared)]:
-        raise ConfigurationError("\n".join(faults))
-
-
-def _ends(low: float, high: float) -> str:
-    return f"{low:.4g}" if low == high else f"{low:.4g} to {high:.4g}"
+    if odd := sorted(set.union(*own) - set.intersection(*own)):
+        notes = [note for part in parts for note in said(part.condition, part.emulators.notes)]
+        raise ConfigurationError("\n".join(note for note in notes if any(f"{name}: is " in note for name in odd)))
 
 
 def _log_likelihood(means: Array, errors: Array, value: Array, covariance: Array, cells: int) -> Array:
@@ -269,7 +273,8 @@ def _shown(part: Part, drawn: Array, best: Array, held: bool) -> pandas.DataFram
         "measured": part.wanted.table["value"].to_numpy(float), "standard_error": part.wanted.table["standard_error"].to_numpy(float),
         "low": part.low, "high": part.high, "posterior_mean": after.mean(axis=0), "posterior_5": low, "posterior_95": high,
         "implausibility": part.far(*part.predicted(cube))[0], "predicted": [one.explained for one in processes],
-        "predicted_error": [one.explained_error for one in processes], "coverage": [one.coverage for one in processes], "held_back": held}, index=part.names)
+        "predicted_error": [one.explained_error for one in processes], "coverage": [one.coverage for one in processes],
+        "held_back": held}, index=part.names)
 
 
 def _alone(names: list[str], off: Array, even: Array, prior: Prior) -> pandas.DataFrame:

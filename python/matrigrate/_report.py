@@ -77,7 +77,8 @@ def table(made: pandas.DataFrame, heads: dict[str, str] | None = None) -> str:
             return f"{value:.3g}".replace("-", "−") if np.isfinite(value) else ""
         return named(str(value)) if _is_named(str(value)) else html.escape(str(value))
 
-    head = "".join(f"<th>{html.escape((heads or {}).get(str(name), str(name).replace('_', ' ')))}</th>" for name in ["", *made.columns])
+    said = {name: (heads or {}).get(name, name if " " in name else name.replace("_", " ")) for name in map(str, made.columns)}
+    head = "".join(f"<th>{_words.lettered(html.escape(text))}</th>" for text in ["", *said.values()])
     rows = "".join("<tr>" + "".join(f"<td>{cell(value)}</td>" for value in (name, *row)) + "</tr>"
                    for name, row in zip(made.index, made.itertuples(index=False), strict=True))
     return f"<table><thead><tr>{head}</tr></thead><tbody>{rows}</tbody></table>"
@@ -118,7 +119,8 @@ def new(width: float, height: float) -> Any:
 def wrapped(name: str, letters: int) -> str:
     """Words, symbol and unit of a parameter or read-out, in lines, for a figure."""
     readout, between, condition = name.partition(" at ")
-    return _words.typeset(textwrap.fill(_words.title(readout), letters, break_long_words=False)) + (f"\n{between.strip()} {_words.plain(condition)}" if condition else "")
+    lines = _words.typeset(textwrap.fill(_words.title(readout), letters, break_long_words=False))
+    return f"{lines}\nat {_words.plain(condition)}" if between else lines
 
 
 def density(sample: Array, cells: int = 80) -> tuple[Array, Array]:
@@ -232,11 +234,12 @@ def page_of_fit(fit: Fit) -> str:
 largest of them is least. <i>predicted</i>: share of the variance of points that an emulator predicts when they are left out; the rest is scatter of
 cells. <i>coverage</i>: share of points within its 90 % interval. <i>held back</i>: predicted, not fitted.</small></p>
 {figure(lambda: _against_data(fit), "Measured values with two standard errors, and 90 % of the posterior")}
-{"".join(figure(lambda both=both: _paths(*both), f"Measured tracks{' at ' * bool(name)}{name} beside simulated ones of the points that fit best, each from its start, to one scale")
-         for name, both in fit.tracks.items() if both[1] is not None)}
+{"".join(figure(lambda both=both: _paths(*both), "Measured tracks beside simulated ones of the points that fit best, each from its start, to one "
+                f"scale{': ' * bool(name)}{name}") for name, both in fit.tracks.items() if both[1] is not None)}
 <h2>Which number excludes what</h2>
 {table(_left(fit), _heads)}
-<p><small><i>plausible</i>: share of the prior where this number alone is off by at most three standard errors; and the ranges of parameters there.</small></p>
+<p><small><i>plausible</i>: share of the prior where this number alone is off by at most three standard errors; and the ranges of parameters
+there.</small></p>
 {_against_each_other(fit)}
 <h2>Which parameters the read-outs depend on</h2>
 {figure(lambda: _sobol(fit), "Sobol's first (light) and total (dark) indices of the mean read-outs, with 90 % intervals")}
@@ -259,8 +262,9 @@ def _left(fit: Fit) -> pandas.DataFrame:
     """A row per number: what it alone leaves."""
     rows = {}
     for name, own in fit.alone.groupby("readout", sort=False):
-        ends = [f"{_words.number(low)} to {_words.number(high)}" if np.isfinite(low) else "" for low, high in zip(own["low"], own["high"], strict=True)]
-        rows[name] = {"plausible": float(own["plausible"].iloc[0])} | {_words.title(one): text for one, text in zip(own["parameter"], ends, strict=True)}
+        rows[name] = {"plausible": float(own["plausible"].iloc[0])}
+        for parameter, low, high in zip(own["parameter"], own["low"], own["high"], strict=True):
+            rows[name][_words.title(parameter)] = f"{_words.number(low)} to {_words.number(high)}" if np.isfinite(low) else ""
     return _pandas().DataFrame.from_dict(rows, orient="index")
 
 

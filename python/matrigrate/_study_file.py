@@ -68,11 +68,11 @@ def _without_points(text: str, here: Path, there: Path) -> str:
         if name is not None and name[1] not in _of_its_points:
             parts.append(text[start:end])
     kept = re.sub(r"^#.*\n", "", parts[0], flags=re.MULTILINE) + "".join(parts[1:]).rstrip() + "\n"
-    kept = re.sub(r"^(scenario|tracks)\s*=\s*(.*)$", lambda one: f"{one[1]} = {_schema.toml_text(_from(there, here, one[0])[one[1]])}", kept, flags=re.MULTILINE)
+    kept = re.sub(r"^(scenario|tracks)\s*=.*$", lambda line: _from(there, here, line[0]), kept, flags=re.MULTILINE)
     waves = [int(number) for number in re.findall(r"^label = \"wave (\d+), point", text, re.MULTILINE)]
     return f"# after wave {max(waves, default=1)}\n" + kept
 
 
-def _from(there: Path, here: Path, line: str) -> dict[str, str]:
-    """A file that a line names from one folder, as another folder names it."""
-    return {key: os.path.relpath(here / name, there) for key, name in tomllib.loads(line).items()}
+def _from(there: Path, here: Path, line: str) -> str:
+    """A line that names a file from one folder, as it stands in another."""
+    return "".join(f"{key} = {_schema.toml_text(os.path.relpath(here / name, there))}" for key, name in tomllib.loads(line).items())

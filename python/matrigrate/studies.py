@@ -79,7 +79,7 @@ class Study:
         return self._table("msd.csv")
 
     def table(self, name: str) -> pandas.DataFrame:
-        """Any table of the study by its name: "correlations", "paths", "adhesions", with targets "discrepancy"."""
+        """Any table of the study by its name: "correlations", "paths", "adhesions"."""
         _arguments.text("name", name, "the name of a table")
         return self._table(name if name.endswith(".csv") else f"{name}.csv")
 
@@ -131,6 +131,8 @@ class Study:
     def _table(self, name: str) -> pandas.DataFrame:
         path = self.folder / name
         if not path.exists():
+            if name == "discrepancy.csv":
+                raise InputOutputError(f"{self.folder}: has no {name}: points are not ranked any more; calibrate.fit(study) fits the [[targets]]", self.folder)
             raise InputOutputError(f"{self.folder}: has no {name}; matrigrate study collect {self.folder} writes it",
                                    self.folder)
         table = read_table(path, texts=_texts, strict=False)

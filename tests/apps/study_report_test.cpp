@@ -150,7 +150,6 @@ TEST_F(StudyReport, DrawsTheMeasuredTracksOfItsTargets) {
   const std::string resolved = file("t-study/study.resolved.toml");
   EXPECT_TRUE(contains(resolved, "tracks = \"measured-1.csv\"")) << resolved;
   ASSERT_EQ(run("study run t-study/study.resolved.toml -o again").code, 0);
-  EXPECT_EQ(file("again/discrepancy.csv"), file("t-study/discrepancy.csv"));
   EXPECT_EQ(file("again/measured-1.csv"), file("t-study/measured-1.csv"));
   write("more.csv", measured);
   ASSERT_EQ(run("report t-study --tracks more.csv").code, 0);

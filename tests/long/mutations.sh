@@ -44,7 +44,7 @@ src/run/cadence.hpp|(t + m_slack) / m_interval|t / m_interval|run|an event is du
 src/run/stopped_run.cpp|expected != configuration_hash(found.p)|expected.empty()|run|a checkpoint of another scenario is taken
 src/run/run_record.cpp|q.run.threads = RunParameters{}.threads|q.run.threads = p.run.threads|run|the configuration hash depends on the number of threads
 src/study/study_plan/plan.cpp|without_folder(value) + value.substr(hash)|value|study_plan|seeds depend on the folder of a file
-src/study/study_results/discrepancy.cpp|values, m.sd / std::sqrt(static_cast<double>(m.n)),|values, m.sd,|study_results|the draws of a discrepancy take the deviation for the standard error
+src/study/study_plan/targets.cpp|std::sqrt(squares / weights)|std::sqrt(squares)|study_plan|the distance of a run is no mean over targets
 src/study/study_results/comparison.cpp|how.test != TestKind::welch|how.test == TestKind::welch|study_results|the interval of a difference pools variances with the wrong test
 src/fields/grids.cpp|kept.version == version|kept.version.has_value() == version.has_value()|fields|a file that has changed is not read again
 src/fields/samples.cpp|relative_slack = 1e-6|relative_slack = 1e-1|fields|nodes off the grid are moved onto it

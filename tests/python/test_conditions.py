@@ -202,6 +202,9 @@ class Refused(unittest.TestCase):
         self.refused("besides: stiff: nothing was measured under such a condition", good, besides={"stiff": {"length": (1, 1)}})
         self.refused("discrepancy: sped: is no read-out", good, discrepancy={"sped": 1})
         self.refused("soft: speed: 3 of 3", good, runs().groupby("condition").head(3).assign(speed=np.nan))
+        both = {"soft": {"sped": (1, 1)}, "stiff": {"lenth": (1, 1)}}
+        self.refused(["soft: there is no read-out sped", "stiff: there is no read-out lenth"], both)
+        self.refused(["soft: speed: has no standard error", "stiff: length: has no value"], {"soft": {"speed": (1, 0)}, "stiff": {"length": (math.nan, 1)}})
         with self.assertRaisesRegex(TypeError, "held_back is a string; a list of numbers is expected"):
             fitted(good, held_back="speed")
 

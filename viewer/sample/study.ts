@@ -1,5 +1,5 @@
 /** A made-up study: stiffness of the matrix against sensitivity of adhesions, twelve runs each. */
-import type { GridPoint, StudyDiscrepancy, StudyGroup, StudyPage, StudyRun, StudyTest } from "../src/study/contract";
+import type { GridPoint, StudyGroup, StudyPage, StudyRun, StudyTest } from "../src/study/contract";
 import { normal, type Random, random } from "./pack";
 import { sampleRun } from "./run";
 
@@ -235,17 +235,5 @@ export function sampleStudy(replicates = 12): StudyPage {
     provenance: "matrigrate 0.1.0\nstudy          stiffness x sensitivity, 12 runs each",
     citation:
       "Heck T, Vargas DA, Smeets B, Ramon H, Van Liedekerke P, Van Oosterwyck H (2020) PLoS Comput Biol 16(1): e1007250.",
-  };
-}
-
-/** Two made-up factor sets, under two conditions with a target each. */
-export function sampleDiscrepancy(): StudyDiscrepancy {
-  return {
-    confidence: 0.95,
-    targets: ["soft", "stiff"].map((condition) => ({ readout: names[0], condition, target: "12.1 +- 1", weight: 1 })),
-    sets: [
-      { label: "base", settings: "", discrepancy: 0.8, interval: [0.5, 1.25], judged: 2, undefined: 0, z: [0.8, -0.8], means: [13, 11] },
-      { label: "sample 1", settings: "range_0 5 um", discrepancy: 2.5, interval: null, judged: 1, undefined: 3, z: [2.5, null], means: [15, null] },
-    ],
   };
 }

@@ -152,7 +152,6 @@ function hypercube(): StudyPage {
         factor("protrusion.force", "protrusion.force (F_prot)", "Growth force of a protrusion", values),
         factor("actomyosin.force", "actomyosin.force (F_am)", "Actomyosin force of a strand at full maturation", [1, 2, 3, 4, 5]),
       ],
-      targets: [],
     },
   };
 }

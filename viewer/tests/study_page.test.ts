@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
 import type { Browser } from "playwright-core";
-import { sampleDiscrepancy, sampleStudy } from "../sample/study";
+import { sampleStudy } from "../sample/study";
 import { allDrawn, launch, open, settled, until } from "./browser";
 
 let browser: Browser;
@@ -291,21 +291,26 @@ test("a study with one axis, or with nothing done yet", async () => {
   await second.page.context().close();
 });
 
-test("ranks sets of parameters by discrepancy", async () => {
-  const study = { ...sampleStudy(3), discrepancy: sampleDiscrepancy() };
-  const { page, errors } = await open(browser, "study", JSON.stringify(study));
+test("boxes have the band of what was measured", async () => {
+  const study = sampleStudy(3);
+  const targets = [
+    { readout: study.readouts[0].name, low: 8, high: 9, error: 0.5, at: "" },
+    { readout: study.readouts[0].name, low: 40, high: 40, error: 1, at: "stiff_gel" },
+  ];
+  const { page, errors } = await open(browser, "study", JSON.stringify({ ...study, targets }));
   await allDrawn(page);
-  const sets = await page.locator("#sets tbody tr").allTextContents();
-  assert.equal(sets.length, 2);
-  assert.match(sets[0], /^base0.80.5 to 1.252 of 200.8\u22120.8$/);
-  assert.match(sets[1], /^sample 1range_0 5 \u00b5m2.5\u20131 of 232.5\u2013$/);
-  assert.deepEqual(await page.locator("#sets strong").allTextContents(), ["2.5"], "beyond two standard errors");
-  assert.match((await page.locator("#sets th >> nth=-1").textContent()) ?? "", /^z of speed, start to end, v_migr_abs \(\u00b5m\/h\) at stiff, target 12.1 \u00b1 1$/);
+  const first = await page.evaluate(() => {
+    const one = document.querySelector("#readouts .plotly-figure") as unknown as {
+      layout: { shapes: { y0: number; y1: number }[]; annotations: { text: string }[]; yaxis: { range: number[] } };
+    };
+    return { ends: one.layout.shapes.map((s) => [s.y0, s.y1]), said: one.layout.annotations.map((a) => a.text), top: one.layout.yaxis.range[1] };
+  });
+  assert.deepEqual(first.ends, [[7.5, 9.5], [39, 41]]);
+  assert.deepEqual(first.said.slice(0, 2), ["target", "target at stiff_gel"]);
+  assert.ok(first.top > 41, "a target beyond the runs is in sight");
+  assert.match((await page.locator("#readouts figcaption >> nth=0").textContent()) ?? "", /Band: measured, with one standard error/);
   assert.deepEqual(errors, []);
   await page.context().close();
-  const plain = await open(browser, "study", JSON.stringify(sampleStudy(3)));
-  assert.equal(await plain.page.locator("#sets").count(), 0);
-  await plain.page.context().close();
 });
 
 test("a design that is no grid is drawn over its factors, with targets", async () => {
@@ -324,8 +329,8 @@ test("a design that is no grid is drawn over its factors, with targets", async (
     scatter: {
       points,
       factors: [{ name: "ecm.youngs_modulus", label: "ecm.youngs_modulus (E)", meaning: "Young's modulus of the intact matrix", unit: "Pa", values, correlations }],
-      targets: [{ readout: study.readouts[0].name, low: 5, high: 6 }],
     },
+    targets: [{ readout: study.readouts[0].name, low: 5, high: 6, error: 1, at: "" }],
   };
   const { page, errors } = await open(browser, "study", JSON.stringify(design));
   await allDrawn(page);
@@ -338,7 +343,7 @@ test("a design that is no grid is drawn over its factors, with targets", async (
       (one) => (one as unknown as { layout: { shapes: { y0: number; y1: number }[] } }).layout.shapes.map((s) => [s.y0, s.y1]),
     ),
   );
-  assert.deepEqual(shapes.slice(0, 2), [[[5, 6]], []], "the target on its read-out alone");
+  assert.deepEqual(shapes.slice(0, 2), [[[4, 7]], []], "the target on its read-out alone");
   assert.deepEqual(errors, []);
   await page.context().close();
 });

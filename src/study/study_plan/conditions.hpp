@@ -41,4 +41,10 @@ std::vector<Target> read_targets(const toml::array& list, const std::vector<Cond
 /// @throws ConfigurationError with all faults; also if there is no target
 std::vector<Target> read_target_file(const std::filesystem::path& file);
 
+/// Distance of a value from a target in its standard errors: 0 within a range, from its nearer end outside.
+double distance(const Target& target, double value);
+
+/// Distance of a run from all targets, from the distance z of each: sqrt(sum w z^2 / sum w); NaN if a z is.
+double distance(const std::vector<Target>& targets, const std::vector<double>& z);
+
 } // namespace matrigrate::study

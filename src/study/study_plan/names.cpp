@@ -50,6 +50,8 @@ std::string label_of(const std::vector<Setting>& settings, const Names& names, b
   return label;
 }
 
+namespace {
+
 std::string set_text(const Study& study, std::size_t set) {
   const FactorSet& one = study.sets[set];
   if (!one.label.starts_with("sample ") || one.settings.empty()) return one.label;
@@ -63,6 +65,8 @@ std::string set_text(const Study& study, std::size_t set) {
   }
   return label_of(rounded, Names(study));
 }
+
+} // namespace
 
 std::string point_text(const Study& study, std::size_t point) {
   const Point& one = study.points[point];

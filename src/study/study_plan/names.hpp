@@ -35,9 +35,8 @@ private:
 /// @param whole  with the folder and the fingerprint of files
 std::string label_of(const std::vector<Setting>& settings, const Names& names, bool whole = false);
 
-/// A factor set, or a point, as people read it: its label; of a sample of a Latin hypercube, whose label only counts,
-/// the values of its factors to three digits: "youngs_modulus 138 Pa, viscosity 705 Pa s".
-std::string set_text(const Study& study, std::size_t set);
+/// A point as people read it: its label; of a sample of a Latin hypercube, whose label only counts, the values of its
+/// factors to three digits: "youngs_modulus 138 Pa, viscosity 705 Pa s".
 std::string point_text(const Study& study, std::size_t point);
 
 // Along what the page of a study draws its points. Test: tests/unit/study_report/study_report_test.cpp

@@ -252,4 +252,18 @@ std::vector<Target> read_target_file(const std::filesystem::path& file) {
   return all;
 }
 
+double distance(const Target& target, double value) {
+  return (value - std::clamp(value, target.low, target.high)) / target.error;
+}
+
+double distance(const std::vector<Target>& targets, const std::vector<double>& z) {
+  double squares = 0.0;
+  double weights = 0.0;
+  for (std::size_t k = 0; k < targets.size(); ++k) {
+    squares += targets[k].weight * z[k] * z[k];
+    weights += targets[k].weight;
+  }
+  return std::sqrt(squares / weights);
+}
+
 } // namespace matrigrate::study

@@ -6,7 +6,6 @@
 #include "statistics/correlation.hpp"
 #include "study_plan/names.hpp"
 #include "study_plan/range.hpp"
-#include "study_report/discrepancy_json.hpp"
 #include "study_report/drawn_study.hpp"
 #include "study_report/measured_json.hpp"
 #include "study_report/run_json.hpp"
@@ -83,12 +82,24 @@ Json scatter_json(const StudyReport& report) {
   std::size_t next = 0;
   for (Json& factor : factors)
     for (Json& c : factor["correlations"]) c["p_holm"] = holm[next++];
-  Json targets = Json::array();
-  for (const Target& t : report.study.targets)
-    targets.push_back({{"readout", t.readout}, {"low", t.low}, {"high", t.high}});
   Json points = Json::array();
   for (const Json& place : places(report.study)) points.push_back(place);
-  return {{"points", points}, {"factors", factors}, {"targets", targets}};
+  return {{"points", points}, {"factors", factors}};
+}
+
+/// What was measured, with its error; "" of no condition.
+Json targets_json(const Study& study) {
+  Json list = Json::array();
+  for (const Target& t : study.targets) {
+    std::vector<std::string> at;
+    for (const std::size_t c : t.at) at.push_back(study.conditions[c].label);
+    list.push_back({{"readout", t.readout},
+                    {"low", t.low},
+                    {"high", t.high},
+                    {"error", t.error},
+                    {"at", fmt::format("{}", fmt::join(at, ", "))}});
+  }
+  return list;
 }
 
 Json claims_json(const std::vector<JudgedClaim>& claims) {
@@ -195,7 +206,7 @@ Json study_data(const StudyReport& report) {
             {"version", 1},
             {"title", titled(report.study)},
             {"status", status},
-            {"summary", result_sentence(report) + discrepancy_sentence(report.study, report.discrepancies)},
+            {"summary", result_sentence(report)},
             {"facts", facts_json(report)},
             {"runs", std::move(runs)},
             {"msd", std::move(msd)},
@@ -203,7 +214,7 @@ Json study_data(const StudyReport& report) {
             {"scatter", scatter_json(report)},
             {"claims", claims_json(report.claims)},
             {"claims_note", report.claims_note},
-            {"discrepancy", discrepancy_json(report.study, report.discrepancies)},
+            {"targets", targets_json(report.study)},
             {"players", players_json(report.played)},
             {"measured", measured_json(report.study, report.tracks, place)},
             {"provenance", report.provenance},

@@ -2,7 +2,7 @@
 
 #include "claims/claims.hpp"
 #include "study_results/comparison.hpp"
-#include "study_results/discrepancy.hpp"
+#include "study_results/results.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -32,7 +32,6 @@ struct StudyReport {
   std::string claims_note{};         ///< what to know of them
   std::vector<PlayedRun> played{};
   std::string command{}; ///< that computes the study again
-  std::vector<Discrepancy> discrepancies{};
   std::vector<tracks::CellTrack> tracks{}; ///< measured, to be drawn at all points besides those of the targets
 };
 

@@ -96,7 +96,6 @@ Collected gathered(const StudyFolder& study) {
   Collected c;
   c.results = results(study.study, study.runs, study.folder);
   c.comparisons = comparisons(study.study, c.results);
-  c.discrepancies = discrepancies(study.study, c.results);
   return c;
 }
 
@@ -108,8 +107,6 @@ Collected collect_tables(const StudyFolder& study, const std::vector<Result>& ke
   write_file(study.folder / "groups.csv", groups_csv(study.study, c.results));
   write_file(study.folder / "statistics.csv", statistics_csv(study.study, c.comparisons, c.results));
   write_file(study.folder / "correlations.csv", correlations_csv(correlations(study.study, c.results)));
-  write_or_remove(study.folder / "discrepancy.csv", !study.study.targets.empty(),
-                  discrepancy_csv(study.study, c.discrepancies));
   write_curves(study, c.results);
   return c;
 }
@@ -128,7 +125,6 @@ void write_study_report(const StudyFolder& study, Collected& collected, const St
                                              .claims_note = claims_note(study.study),
                                              .played = played_runs(study, collected.results, page.played, page.tracks),
                                              .command = command_of(study),
-                                             .discrepancies = collected.discrepancies,
                                              .tracks = page.tracks})));
 }
 

@@ -2,7 +2,6 @@
 
 #include "study_report/study_data.hpp"
 #include "study_results/comparison.hpp"
-#include "study_results/discrepancy.hpp"
 #include "study_runs/study_folder.hpp"
 
 #include <string>
@@ -16,7 +15,6 @@ namespace matrigrate::study {
 struct Collected {
   std::vector<Result> results;
   std::vector<Comparison> comparisons;
-  std::vector<Discrepancy> discrepancies;
   std::vector<JudgedClaim> claims{}; ///< write_study_report() judges them
 };
 
@@ -24,7 +22,7 @@ struct Collected {
 Collected gathered(const StudyFolder& study);
 
 /// Reads the results of all runs, writes results.csv, groups.csv, statistics.csv, correlations.csv and, of at
-/// most 60 points, paths.csv, msd.csv and adhesions.csv; with targets discrepancy.csv.
+/// most 60 points, paths.csv, msd.csv and adhesions.csv.
 /// @param kept  results from elsewhere, which results.csv holds in the place of runs that have not ended in the folder
 /// @throws InputOutputError before anything is written, as require_no_loss()
 Collected collect_tables(const StudyFolder& study, const std::vector<Result>& kept = {});

@@ -198,7 +198,7 @@ TEST(Designs, TheStudiesOfTheDocumentsAreGood) {
     return at == std::string::npos ? std::string() : text.substr(begin, text.find("\n```", at) - begin);
   };
   EXPECT_EQ(parse_study(block("studies.md", "title = \"Matrix stiffness\""), "f.toml", ".").runs(), 36U);
-  const Study s = parse_study(block("how-to/targets.md", "title = \"Cells against measured speeds\""), "f.toml", ".");
+  const Study s = parse_study(block("how-to/fit.md", "title = \"Cells against measured speeds\""), "f.toml", ".");
   EXPECT_EQ(s.sets.size(), 4U);
   EXPECT_EQ(s.targets.size(), 2U);
 }

@@ -7,6 +7,8 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include <unistd.h>
 
 #include <filesystem>
@@ -284,6 +286,19 @@ TEST_F(MeasuredTracks, ThoseOfARunAreTheRowsOfItsCells) {
     write_file(table, wrong);
     EXPECT_THROW(tracks::cell_tracks(folder), InputOutputError) << wrong;
   }
+}
+
+TEST(Distance, IsInErrorsOfTheTargetAndARootMeanSquareOverTargets) {
+  const Target value{.readout = "f_mat", .low = 10.0, .high = 10.0, .error = 2.0, .weight = 1.0, .at = {}};
+  EXPECT_EQ(distance(value, 13.0), 1.5);
+  EXPECT_EQ(distance(value, 4.0), -3.0) << "with its sign";
+  Target range = value;
+  range.high = 14.0;
+  range.weight = 3.0;
+  EXPECT_EQ(distance(range, 12.0), 0.0) << "inside";
+  EXPECT_EQ(distance(range, 15.0), 0.5) << "from the nearer end";
+  EXPECT_DOUBLE_EQ(distance({value, range}, {2.0, -1.0}), std::sqrt((4.0 + 3.0) / 4.0));
+  EXPECT_TRUE(std::isnan(distance({value, range}, {2.0, std::nan("")})));
 }
 
 } // namespace

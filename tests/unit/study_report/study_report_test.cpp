@@ -4,7 +4,6 @@
 #include "simulation/start.hpp"
 #include "store/checkpoint.hpp"
 #include "study_plan/names.hpp"
-#include "study_report/discrepancy_json.hpp"
 #include "study_report/drawn_study.hpp"
 #include "study_report/measured_json.hpp"
 #include "study_report/run_curves.hpp"
@@ -298,22 +297,15 @@ TEST(StudyData, TellsParametersApartThatEndAlike) {
   EXPECT_EQ(axes.at(1).at("label"), "nucleus.bending_stiffness") << "has no letters";
 }
 
-TEST(StudyData, HoldsTargetsAndDistances) {
-  const Study study = read("readouts = [\"f_mat\"]\n[[points]]\nlabel = \"base\"\n[[points]]\nadhesion.rupture = true\n"
-                           "[[targets]]\nreadout = \"f_mat\"\nlow = 0.5\nhigh = 1\nerror = 0.25\n");
-  const std::vector<Result> results = results_of("f_mat", {{0.25, 0.25, 0.25}, {1.5, 1.5, 1.5}});
-  const std::vector<Discrepancy> found = discrepancies(study, results);
-  const nlohmann::ordered_json json = discrepancy_json(study, found);
-  EXPECT_EQ(json.at("targets").at(0).at("target"), "0.5 to 1 +- 0.25");
-  EXPECT_EQ(json.at("sets").at(0).at("label"), "base");
-  EXPECT_EQ(json.at("sets").at(0).at("z").dump(), "[-1.0]");
-  EXPECT_EQ(json.at("sets").at(1).at("settings"), "rupture true");
-  EXPECT_EQ(json.at("sets").at(1).at("discrepancy"), 2.0);
-  EXPECT_EQ(json.at("sets").at(1).at("interval").dump(), "[2.0,2.0]");
-  EXPECT_EQ(discrepancy_sentence(study, found), " The discrepancy is least, 1 (1 to 1), at base.");
-  const Study plain = read("");
-  EXPECT_TRUE(discrepancy_json(plain, {}).is_null());
-  EXPECT_EQ(discrepancy_sentence(plain, {}), "");
+TEST(StudyData, HoldsTargetsAtTheirConditions) {
+  const Study study = read("readouts = [\"f_mat\"]\n[[conditions]]\nlabel = \"a\"\n[[conditions]]\nlabel = \"b\"\n"
+                           "ecm.viscosity = 500\n[[targets]]\nreadout = \"f_mat\"\nlow = 0.5\nhigh = 1\nerror = 0.25\n"
+                           "at = \"b\"\n[[targets]]\nreadout = \"n_protrusions\"\nvalue = 4\nerror = 1\n");
+  const auto results = results_of("f_mat", {{}, {}});
+  const auto data = study_data({study, results, comparisons(study, results), "nowhere", "commit"});
+  EXPECT_EQ(data.at("targets").dump(),
+            "[{\"readout\":\"f_mat\",\"low\":0.5,\"high\":1.0,\"error\":0.25,\"at\":\"b\"},"
+            "{\"readout\":\"n_protrusions\",\"low\":4.0,\"high\":4.0,\"error\":1.0,\"at\":\"\"}]");
 }
 
 TEST(StudyData, HoldsRunsThatAreNotThereYet) {

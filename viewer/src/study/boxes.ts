@@ -6,13 +6,15 @@ import { brackets, leastRuns, sign, starsNote, story, type Bracket, type Shown }
 import { axis, figure, ink, wholeTicks, type Json } from "../figure";
 import { capital, lettered, titleOf, typeset, unmarked } from "../words";
 import { groupAt, nameOf, seriesColour, values, type Grid, type Group } from "./groups";
+import { bands, targetsOf } from "./targets";
 
 /** The summary of a read-out at the point of a group, as the program computed it. */
 const statisticsOf = (study: StudyData, group: Group, readout: string): StudyGroup | undefined =>
   study.groups.find((one) => one.readout === readout && one.point.join() === group.point.join());
 
 function caption(study: StudyData, readout: StudyReadout): string {
-  return `${capital(readout.meaning)}.${starsNote(study.tests, readout.name)}`;
+  const band = targetsOf(study, readout.name).length > 0 ? " Band: measured, with one standard error." : "";
+  return `${capital(readout.meaning)}.${band}${starsNote(study.tests, readout.name)}`;
 }
 
 /** Runs that a box is drawn of; of fewer the runs alone. */
@@ -50,7 +52,10 @@ export function boxes(study: StudyData, made: Grid, readout: StudyReadout, show:
   return figure(caption(study, readout), (width) => plotHeight + labelRoom(made.columns, width), () => {
     const colours = ink();
     const every = made.groups.flatMap((g) => values(g, readout.name).map((v) => v.value));
-    const [low, high] = [Math.min(...every), Math.max(...every)];
+    const targets = targetsOf(study, readout.name);
+    const ends = targets.flatMap((t) => [t.low - t.error, t.high + t.error]);
+    const [low, high] = [Math.min(...every, ...ends), Math.max(...every, ...ends)];
+    const band = bands(targets);
     const counted = !readout.unit && every.every(Number.isInteger);
     const span = high - low || 1;
     // Room above the data is counted in pixels, so that stars keep their distance whatever the values are.
@@ -149,18 +154,21 @@ export function boxes(study: StudyData, made: Grid, readout: StudyReadout, show:
           fixedrange: true,
         }),
         yaxis: axis(titleOf(readout), { range: [bottom, top], ...(counted ? wholeTicks(low, high) : {}) }),
-        annotations: made.groups.map((g) => ({
-          x: g.x,
-          y: 0,
-          yref: "paper",
-          yanchor: "bottom",
-          showarrow: false,
-          font: { size: 12, color: colours.soft },
-          text:
-            made.series.length > 1 || crowded
-              ? String(values(g, readout.name).length)
-              : `n\u00a0=\u00a0${values(g, readout.name).length}`,
-        })),
+        shapes: band.shapes,
+        annotations: band.annotations.concat(
+          made.groups.map((g) => ({
+            x: g.x,
+            y: 0,
+            yref: "paper",
+            yanchor: "bottom",
+            showarrow: false,
+            font: { size: 12, color: colours.soft },
+            text:
+              made.series.length > 1 || crowded
+                ? String(values(g, readout.name).length)
+                : `n\u00a0=\u00a0${values(g, readout.name).length}`,
+          })),
+        ),
       },
     };
   });

@@ -129,38 +129,14 @@ export interface StudyClaim {
   statistic: string[];
 }
 
-/** What a read-out should be under a condition. */
+/** What was measured: a value, or a range, with its standard error. */
 export interface StudyTarget {
   readout: string;
-  /** "" without conditions. */
-  condition: string;
-  /** "12.1 +- 1", "3 to 5 +- 0.2". */
-  target: string;
-  weight: number;
-}
-
-/** A factor set against all targets; null: not defined. */
-export interface StudyFactorSet {
-  label: string;
-  /** What differs from the base, in words. */
-  settings: string;
-  discrepancy: number | null;
-  interval: [number, number] | null;
-  /** Targets that could be judged. */
-  judged: number;
-  /** Finished runs without a value of a target's read-out. */
-  undefined: number;
-  /** One number per target. */
-  z: (number | null)[];
-  means: (number | null)[];
-}
-
-export interface StudyDiscrepancy {
-  /** Of the intervals: 0.95. */
-  confidence: number;
-  targets: StudyTarget[];
-  /** From the best on. */
-  sets: StudyFactorSet[];
+  low: number;
+  high: number;
+  error: number;
+  /** Conditions that it holds at; "" for all. */
+  at: string;
 }
 
 /** Read-outs over the factors of a design that is no grid. */
@@ -178,7 +154,6 @@ export interface StudyScatter {
     /** Spearman's rank correlation over the means of points, p after Holm over all factors and read-outs. */
     correlations: { readout: string; rho: number | null; p_holm: number | null; n: number }[];
   }[];
-  targets: { readout: string; low: number; high: number }[];
 }
 
 /** A run that the page of a study plays. */
@@ -202,6 +177,7 @@ export interface StudyData {
   groups: StudyGroup[];
   tests: StudyTest[];
   msd: StudyMsd[];
+  targets?: StudyTarget[];
 }
 
 /** The page of a study. The title has its size: "Stiffness: 4 points x 12 replicates". */
@@ -217,7 +193,6 @@ export interface StudyPage extends StudyData {
   claims?: StudyClaim[];
   /** How the study differs from the published one; "" for nothing. */
   claims_note?: string;
-  discrepancy?: StudyDiscrepancy | null;
   scatter?: StudyScatter | null;
   players?: StudyPlayer[];
   /** Measured tracks, and the points that they are to be compared with. */

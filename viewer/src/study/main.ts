@@ -5,7 +5,6 @@ import { embedded } from "../embedded";
 import "../page.css";
 import { boxesNote, boxesOfAll } from "./boxes";
 import { leastRuns, type Shown } from "./brackets";
-import { sets } from "./discrepancy";
 import { pretty } from "../numbers";
 import { grid, seriesKey } from "./groups";
 import { claims, medians, runs, safe } from "./lists";
@@ -50,7 +49,6 @@ function show(study: StudyPage, page: HTMLElement): void {
         claims(study),
         study.claims_note ? h("p", { class: "notice" }, pretty(study.claims_note)) : null,
       ),
-      part("sets", "Sets of parameters by discrepancy", sets(study)),
       part("scatter", "Read-outs over parameters", scatters(study)),
       study.readouts.length > 0 && !study.scatter?.factors.length
         ? section(

@@ -1,9 +1,10 @@
 /** Each read-out over each parameter, of a design that is no grid. */
-import { axis, figure, ink, logAxis, wholeTicks, type Json } from "../figure";
+import { axis, figure, logAxis, wholeTicks, type Json } from "../figure";
 import { h } from "../dom";
 import { pretty, pText, readable } from "../numbers";
 import type { StudyPage } from "./contract";
 import { seriesColour } from "./groups";
+import { bands, targetsOf } from "./targets";
 import { capital, settingOf, titleOf, typeset, verbatim, wordsOf } from "../words";
 
 /** How far the ranks of values are from even steps between the ends. */
@@ -28,11 +29,11 @@ export function scatters(study: StudyPage): HTMLElement | null {
     made.factors.map((factor) => {
       const c = factor.correlations.find((one) => one.readout === readout.name);
       const known = c && c.rho !== null;
-      const targets = made.targets.filter((t) => t.readout === readout.name);
+      const targets = targetsOf(study, readout.name);
       const caption =
         `${capital(readout.meaning)}, over ${wordsOf(factor)}: ` +
         (known ? `Spearman's rho ${readable(c.rho, 2)} over ${c.n} points, ${pText(c.p_holm)} after Holm's correction.` : "no rank correlation.") +
-        (targets.length > 0 ? " Line or band: target." : "");
+        (targets.length > 0 ? " Band: measured, with one standard error." : "");
       return figure(pretty(caption), 330, () => {
         const runs = study.runs.flatMap((run) => {
           const i = place.get(run.point.join());
@@ -59,27 +60,7 @@ export function scatters(study: StudyPage): HTMLElement | null {
             legend: { orientation: "h", y: 1.02, yanchor: "bottom" },
             xaxis: (isLog(factor.values) ? logAxis(titleOf(factor), factor.values) : axis(titleOf(factor))),
             yaxis: axis(titleOf(readout), !readout.unit && runs.every((r) => Number.isInteger(r.y)) ? wholeTicks(Math.min(...runs.map((r) => r.y)), Math.max(...runs.map((r) => r.y))) : {}),
-            shapes: targets.map((t) => ({
-              type: "rect",
-              xref: "paper",
-              x0: 0,
-              x1: 1,
-              y0: t.low,
-              y1: t.high,
-              line: { color: ink().soft, width: 1.5, dash: "dash" },
-              fillcolor: "rgba(128,128,128,.12)",
-              layer: "below",
-            })),
-            annotations: targets.map((t) => ({
-              xref: "paper",
-              x: 1,
-              xanchor: "right",
-              y: t.high,
-              yanchor: "bottom",
-              showarrow: false,
-              text: "target",
-              font: { size: 12, color: ink().soft },
-            })),
+            ...bands(targets),
           },
         };
       });
