@@ -8,7 +8,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <map>
 #include <stdexcept>
 #include <string>
 
@@ -33,9 +32,6 @@ void add_track_options(CLI::App& verb, TrackArguments& arguments) {
                   "Tracks with two positions at one time: refuse, cut (they end before) or drop (they are left out)");
   verb.add_option("--jitter", options.jitter, "By which a step of time may differ from the interval, as a share of it");
   verb.add_flag("--recalibrate")->group(""); // of 0.3.0: what is given counts now
-  const std::map<std::string, tracks::Spelling> spellings{{"python", tracks::Spelling::python},
-                                                          {"r", tracks::Spelling::r}};
-  verb.add_option("--words", options.spelling)->transform(CLI::CheckedTransformer(spellings))->group("");
 }
 
 double quantity_option(const std::string& text, const std::string& option, const std::string& unit) {
@@ -53,21 +49,17 @@ double quantity_option(const std::string& text, const std::string& option, const
   }
 }
 
-tracks::TrackOptions track_options(const TrackArguments& arguments) {
+std::string as_option(std::string_view option, std::string_view value) {
+  if (value.empty() || value == "true") return fmt::format("--{}", option);
+  return option == "columns" ? fmt::format("--{} \"{}\"", option, value) : fmt::format("--{} {}", option, value);
+}
+
+tracks::TrackOptions track_options(const TrackArguments& arguments, const tracks::Wording& wording) {
   tracks::TrackOptions options = arguments.options;
+  options.wording = wording;
   if (!arguments.pixel.empty()) options.pixel = quantity_option(arguments.pixel, "--pixel", "um");
   if (!arguments.interval.empty()) options.interval = quantity_option(arguments.interval, "--interval", "s");
-  for (const std::string& one : arguments.columns) try {
-      tracks::add_columns(one, options.columns);
-    } catch (const std::invalid_argument& fault) {
-      throw UsageError(fmt::format("{}: {}", options.say("columns"), fault.what()));
-    }
-  const auto splits = tracks::splits_of(arguments.splits);
-  if (!splits)
-    throw UsageError(fmt::format("{}: there is no \"{}\"; there are refuse, cut and drop", options.say("splits"),
-                                 excerpt(arguments.splits)));
-  options.splits = *splits;
-  if (const std::vector<std::string> faults = tracks::faults_of(options); !faults.empty())
+  if (const auto faults = tracks::set_words(options, arguments.columns, arguments.splits); !faults.empty())
     throw UsageError(fmt::format("{}", fmt::join(faults, "\n")));
   return options;
 }

@@ -4,6 +4,7 @@
 
 #include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace CLI {
@@ -22,12 +23,14 @@ struct TrackArguments {
   tracks::TrackOptions options; ///< those that need no reading
 };
 
-/// Adds --pixel, --interval, --time-unit, --columns, --layout, --splits and --jitter to a verb; hidden --words, the
-/// language of messages, which Python and R give.
+/// Adds --pixel, --interval, --time-unit, --columns, --layout, --splits and --jitter to a verb.
 void add_track_options(CLI::App& verb, TrackArguments& arguments);
 
+/// "--interval S", "--columns \"track=NAME\"", "--drift".
+std::string as_option(std::string_view option, std::string_view value);
+
 /// @throws UsageError with what is wrong with them
-tracks::TrackOptions track_options(const TrackArguments& arguments);
+tracks::TrackOptions track_options(const TrackArguments& arguments, const tracks::Wording& wording = as_option);
 
 /// A length [um] or a time [s] with or without its unit: "0.65", "650 nm", "2 min".
 /// @param unit  "um" or "s"

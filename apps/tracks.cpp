@@ -19,7 +19,6 @@
 #include <cmath>
 #include <filesystem>
 #include <memory>
-#include <stdexcept>
 #include <utility>
 #include <vector>
 
@@ -41,6 +40,7 @@ struct TracksArguments {
   bool drift = false;
   bool force = false;
   bool json = false;
+  bool records = false;
 };
 
 Json number_json(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
@@ -129,14 +129,10 @@ void check_output(const TracksArguments& asked) {
 
 /// The tracks of the file as they are asked for.
 tracks::Tracks wanted_tracks(const TracksArguments& asked) {
-  const tracks::TrackOptions options = track_options(asked.reading);
+  const tracks::TrackOptions options = track_options(asked.reading, asked.records ? tracks::as_record : as_option);
   const double every = asked.every.empty() ? 0.0 : quantity_option(asked.every, "--every", "s");
   tracks::Tracks cells = tracks::read_tracks(asked.file, options);
-  if (asked.drift) try {
-      tracks::take_drift_away(cells);
-    } catch (const std::invalid_argument& fault) {
-      throw ConfigurationError({{asked.file, 0, 0, {}, fault.what()}});
-    }
+  if (asked.drift) tracks::take_drift_away(cells, asked.file);
   return asked.every.empty() ? cells : tracks::at_interval(cells, every, asked.file);
 }
 
@@ -189,11 +185,7 @@ int read_and_tell(TracksArguments asked) {
   check_output(asked);
   tracks::Tracks cells = wanted_tracks(asked);
   const tracks::TrackParts parts(cells);
-  if (const double square = parts.buried(error); square > 0.0)
-    cells.notes.push_back(
-        fmt::format("MSD at one interval, {:.3g} um2, is below 4 error^2 = {:.3g} um2: the error is larger than the "
-                    "cells move, so slopes and the persistence time are not defined",
-                    square, 4.0 * error * error));
+  if (std::string buried = parts.buried(error); !buried.empty()) cells.notes.push_back(std::move(buried));
   TrackReadouts found{.value = parts.readouts(error), .standard_error = {}};
   found.standard_error = tracks::standard_errors(found.value, parts.drawn(error, asked.resamples));
   if (!asked.output.empty()) write_file(asked.output, tracks::plain_csv(cells));
@@ -243,6 +235,7 @@ void add_tracks(CLI::App& app, Action& chosen) {
       ->check([](const std::string& file) { return std::string(file.empty() ? "names no file" : ""); });
   verb->add_flag("--force", options->force, "Replace that file");
   verb->add_flag("--json", options->json, "Print JSON");
+  verb->add_flag("--records", options->records, "Name options in notes and faults as {interval S}, for who words them");
   verb->callback([options, &chosen] { chosen = [options] { return read_and_tell(*options); }; });
 }
 

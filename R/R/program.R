@@ -20,7 +20,7 @@ call_matrigrate <- function(...) {
   on.exit(unlink(files))
   code <- system2(program, shQuote(words), stdout = files[1], stderr = files[2])
   printed <- lapply(files, readLines, warn = FALSE, encoding = "UTF-8")
-  said <- paste(sub("^matrigrate: ", "", printed[[2]]), collapse = "\n")
+  said <- .as_arguments(paste(sub("^matrigrate: ", "", printed[[2]]), collapse = "\n"))
   if (code != 0) .stop_with(code, if (nzchar(said)) said else paste0(program, ": ended with the exit code ", code))
   if (nzchar(said)) message(said)
   invisible(printed[[1]])

@@ -67,9 +67,13 @@ given <- readLines(words)
 stopifnot(
   identical(measured$id, c("01", "01")), identical(measured$t_s, c(0, 60)), identical(measured$x_um, c(1, 1.5)),
   identical(attr(measured, "notes"), c("of \"a\", b]", "two")), identical(notes, c("of \"a\", b]\n", "two\n")), attr(measured, "interval_s") == 60,
-  identical(given[-9], c(
-    "tracks", "my spots.csv", "--json", "--resamples", "0", "--words", "r", "-o", "--pixel", "0.65", "--interval", "60", "--time-unit", "s", "--layout", "imaris", "--splits", "cut",
+  identical(given[-8], c(
+    "tracks", "my spots.csv", "--json", "--resamples", "0", "--records", "-o", "--pixel", "0.65", "--interval", "60", "--time-unit", "s", "--layout", "imaris", "--splits", "cut",
     "--jitter", "0.2", "--shortest", "3", "--fewest", "1", "--drift", "--columns", "track=Track n", "--columns", "x=3"
   ))
 )
+stopifnot(identical(
+  matrigrate:::.as_arguments(c("give {interval S} or {columns track=Track n, of all,t=2}", "{splits cut}, {drift true}, {time-unit s}; {fewest} {no option}")),
+  c("give frame_interval = S or columns = c(track = \"Track n, of all\", t = 2)", "splits = \"cut\", drift = TRUE, time_unit = \"s\"; fewest {no option}")
+))
 stopifnot(grepl("names are expected", tryCatch(read_measured_tracks("spots.csv", columns = "x"), error = conditionMessage)))

@@ -1,16 +1,9 @@
 """Read-outs of tracks, as the program computes them (src/tracks/readouts.hpp), by the compiled module."""
 from __future__ import annotations
 
-from collections.abc import Iterable
 from functools import cache
-from typing import TYPE_CHECKING, Any
-
-import numpy as np
 
 from ._load_core import core
-
-if TYPE_CHECKING:
-    from . import _core
 
 needs = {
     "directionality_ratio": "needs tracks of more than ten intervals",
@@ -33,30 +26,3 @@ def meanings() -> dict[str, str]:
         return dict(core().track_readouts)
     except (ImportError, AttributeError):  # no module, or one of an earlier version
         return {}
-
-
-def parts(tracks: Iterable[np.ndarray[Any, Any]], interval: float) -> _core.TrackParts:
-    """What each track contributes to read-outs.
-
-    :raises CoreNotFound: without the compiled module
-    """
-    found: _core.TrackParts = core().TrackParts(list(tracks), interval)
-    return found
-
-
-def drift(tracks: Iterable[np.ndarray[Any, Any]], starts: Iterable[float], interval: float) -> tuple[np.ndarray[Any, Any], str]:
-    """The drift of tracks [um], a row an interval from the first start [s] on, and what is said of it; nothing if no interval has any.
-
-    :raises CoreNotFound: without the compiled module
-    """
-    found: tuple[np.ndarray[Any, Any], str] = core().drift(list(tracks), list(starts), interval)
-    return found
-
-
-def standard_errors(values: list[float], drawn: np.ndarray[Any, Any]) -> list[float]:
-    """Standard errors of read-outs; NaN of what few of the resampled sets define.
-
-    :param drawn: their read-outs, a row a set
-    """
-    found: list[float] = core().standard_errors(values, drawn)
-    return found

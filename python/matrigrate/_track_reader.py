@@ -1,46 +1,46 @@
-"""The reader of tracks, which is the program's: arguments as its options."""
+"""The arguments of the reader of tracks, which is the program's (src/tracks), by the compiled module."""
 from __future__ import annotations
 
-import json
 import math
 import numbers
 import os
 from collections.abc import Mapping
 from typing import Any
 
-from . import _arguments, _program
-from .errors import ConfigurationError, Fault, InputOutputError
+from . import _arguments
+from ._load_core import core
+from .errors import ConfigurationError, InputOutputError
 
-def read(file: str | os.PathLike[str], options: Mapping[str, Any]) -> dict[str, Any]:
-    """What ``matrigrate tracks --json`` finds in a file: see ``docs/how-to/tracks.md``.
 
-    :param options: by their names, with _ for -; None where one is not given
+class Text(str):
+    """A table in memory, in the place of a file."""
+
+
+def read(file: str | os.PathLike[str], options: Mapping[str, Any]) -> tuple[Any, ...]:
+    """Interval, notes, names, starts and positions of the tracks in a file.
+
+    :param options: of the program, by their names, with _ for -; None where one is not given
     :raises ConfigurationError: with the faults of the file
     """
+    given = {name: _checked(name, value) for name, value in options.items() if value is not None or name == "drift"}
+    if isinstance(file, Text):
+        return tuple(core().read_tracks("the data frame", file, given))
     path = _arguments.path("file", file, "the path of a file of tracks")
-    words = [word for name, value in options.items() for word in _words(name, value)]
     if path.is_dir():
         raise InputOutputError(f"{path}: is a folder; tracks.of(matrigrate.load(...)) has the tracks of a run", path)
-    outcome = _program.call(["tracks", os.fspath(path), "--json", "--resamples", "0", "--words", "python", *words])
-    if outcome.code == 2:
-        raise ConfigurationError([Fault("", line) for line in outcome.words.splitlines()])
-    _program.raise_for(outcome, None)
-    return dict(json.loads(outcome.out))
+    return tuple(core().read_tracks(os.fsencode(path), None, given))
 
 
-def _words(name: str, value: Any) -> list[str]:
-    """An argument as words of the command line. :raises TypeError: of a wrong type"""
-    option = "--" + name.replace("_", "-")
+def _checked(name: str, value: Any) -> Any:
+    """An argument as the module takes it. :raises TypeError: of a wrong type"""
     if name == "drift":
-        return [option] if _arguments.one_of(name, value, bool) else []
-    if value is None:
-        return []
+        return _arguments.one_of(name, value, bool)
     if name == "columns":
-        return [word for key, column in _arguments.mapping(name, value, "a dictionary of columns").items()
-                for one in (column if isinstance(column, (list, tuple)) else [column]) for word in (option, f"{key}={_column(key, one)}")]
+        return [f"{key}={_column(key, one)}" for key, column in _arguments.mapping(name, value, "a dictionary of columns").items()
+                for one in (column if isinstance(column, (list, tuple)) else [column])]
     if name in ("time_unit", "layout", "splits"):
-        return [option, _arguments.text(name, value)]
-    return [option, _number(name, value, whole=name in ("shortest", "fewest"))]
+        return _arguments.text(name, value)
+    return _number(name, value, whole=name in ("shortest", "fewest"))
 
 
 def _column(key: str, value: Any) -> str:
@@ -52,7 +52,7 @@ def _column(key: str, value: Any) -> str:
     return str(value)
 
 
-def _number(name: str, value: Any, whole: bool) -> str:
+def _number(name: str, value: Any, whole: bool) -> float:
     try:
         number = float("nan") if isinstance(value, (bool, str)) else float(value)
     except (TypeError, ValueError):
@@ -63,4 +63,4 @@ def _number(name: str, value: Any, whole: bool) -> str:
         raise ConfigurationError(f"{name}: {value} is no whole number of at least 1")
     if not whole and not (math.isfinite(number) and (number > 0 or name == "jitter" and number == 0)):
         raise ConfigurationError(f"{name}: {number:g} is no positive number")
-    return str(int(number)) if whole else repr(number)
+    return int(number) if whole else number

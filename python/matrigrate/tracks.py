@@ -6,13 +6,12 @@
     cells.readouts()                                                    # value and standard error of each read-out
     tracks.of(matrigrate.load("cell-seed1"), interval=120).readouts()
 
-Files are read by the program: ``matrigrate tracks`` is the same reader.
+Files are read as ``matrigrate tracks`` reads them.
 """
 from __future__ import annotations
 
 import math
 import os
-import tempfile
 from collections import Counter
 from collections.abc import Mapping, Sequence
 from functools import cached_property
@@ -22,6 +21,7 @@ import numpy as np
 
 from . import _arguments, _motility, _track_reader
 from ._files import _pandas, unit_of
+from ._load_core import core
 from .errors import ConfigurationError
 from .results import Run
 from .studies import Study
@@ -80,12 +80,8 @@ class Tracks(Mapping[str, Any]):
 
     def every(self, interval: float) -> Tracks:
         """The positions at a longer interval [s], a whole multiple of this one; from the start of each track on."""
-        share = interval / self.interval
-        many = round(share)
-        if many < 1 or abs(share - many) > _off_grid:
-            raise ConfigurationError(f"interval: {interval:g} s is no whole multiple of {self.interval:g} s")
-        return self if many == 1 else Tracks({name: track[::many] for name, track in self.items()}, interval,
-                                             list(self.notes), self._starts)
+        sparse = core().at_interval(list(self.values()), self.interval, interval)
+        return Tracks(dict(zip(self, sparse, strict=True)), interval, list(self.notes), self._starts)
 
     def _firsts(self) -> dict[str, int]:
         """Start of each track, in intervals from the start of the first one: of a track that is out of step the nearest."""
@@ -96,23 +92,16 @@ class Tracks(Mapping[str, Any]):
         """Mean step of the tracks that go on at each time, summed up [um], a row an interval from the first start on: the drift of the
         stage, if cells have no common direction of their own. With n tracks its error is their mean step over the root of n; where fewer
         than five go on there is none."""
-        return self._drift()[0]
-
-    def _drift(self) -> tuple[np.ndarray[Any, Any], str]:
-        return _motility.drift(self.values(), self._starts.values(), self.interval)
+        found: np.ndarray[Any, Any] = core().drift(list(self.values()), list(self._starts.values()), self.interval)
+        return found
 
     def without_drift(self) -> Tracks:
         """The tracks less ``drift()``. It takes a common direction of the cells away, too.
 
         :raises ConfigurationError: if at no time five tracks go on together
         """
-        (drift, said), firsts = self._drift(), self._firsts()
-        if not said:
-            raise ConfigurationError(f"drift: at no time 5 of {len(self)} tracks go on together, so it cannot be separated from migration")
-        reach = max(firsts[name] + len(track) for name, track in self.items())
-        drift = np.pad(drift, ((0, max(0, reach - len(drift))), (0, 0)), mode="edge")  # tracks may end with gaps
-        moved = {name: track - drift[firsts[name]:firsts[name] + len(track)] for name, track in self.items()}
-        return Tracks(moved, self.interval, [*self.notes, said], self._starts)
+        moved, said = core().without_drift(list(self.values()), list(self._starts.values()), self.interval)
+        return Tracks(dict(zip(self, moved, strict=True)), self.interval, [*self.notes, said], self._starts)
 
     def with_error(self, error: float, seed: int = 1) -> Tracks:
         """The tracks with a normal error of each coordinate [um]: simulated ones as a microscope would see them."""
@@ -136,14 +125,12 @@ class Tracks(Mapping[str, Any]):
         if error < 0 or not math.isfinite(error):
             raise ConfigurationError(f"error: {error:g} um is no localisation error")
         parts = self._parts if interval is None else self.every(interval)._parts
-        if square := parts.buried(error):
-            said = (f"MSD at one interval, {square:.3g} um2, is below 4 error^2 = {4 * error**2:.3g} um2: the error is larger than "
-                    "the cells move, so slopes and the persistence time are not defined")
-            self.notes.extend([said] if said not in self.notes else [])
+        if (said := parts.buried(error)) and said not in self.notes:
+            self.notes.append(said)
         meanings = _motility.meanings()
         values = parts.readouts(error)
         drawn = self._drawn if interval is None and error == 0 and resamples == _resamples else _resampled(parts, error, resamples)
-        return _pandas().DataFrame({"value": values, "standard_error": _motility.standard_errors(values, drawn),
+        return _pandas().DataFrame({"value": values, "standard_error": core().standard_errors(values, drawn),
                                     "unit": [unit_of(name) for name in meanings], "meaning": list(meanings.values())}, index=list(meanings))
 
     def covariance(self, readouts: Sequence[str]) -> np.ndarray[Any, Any]:
@@ -198,7 +185,8 @@ class Tracks(Mapping[str, Any]):
         if far:
             raise ConfigurationError("\n".join(f"track {name}: positions reach {np.nanmax(np.abs(self[name])):.3g} um; read-outs "
                                                f"are defined up to {_motility.farthest:g} um (pixel)" for name in far))
-        return _motility.parts(self.values(), self.interval)
+        parts: _core.TrackParts = core().TrackParts(list(self.values()), self.interval)
+        return parts
 
     @cached_property
     def _drawn(self) -> np.ndarray[Any, Any]:
@@ -242,19 +230,9 @@ def read(file: str | os.PathLike[str], *, pixel: float | None = None, frame_inte
         raise ConfigurationError("interval: is the older name of frame_interval; give one of them")
     options = {"pixel": pixel, "interval": interval if frame_interval is None else frame_interval, "time_unit": time_unit,
                "columns": columns, "layout": layout, "splits": splits, "jitter": jitter, "shortest": shortest, "fewest": fewest, "drift": drift}
-    found = _track_reader.read(file, options)
-    by_track: dict[str, list[Any]] = {}
-    for name, *row in found["rows"]:
-        by_track.setdefault(name, []).append(row)
-    step, positions, starts = float(found["interval_s"]), {}, {}
-    for name, rows in by_track.items():
-        at = np.array(rows, float)
-        indices = np.round((at[:, 0] - at[0, 0]) / step).astype(int)
-        positions[name] = np.full((indices[-1] + 1, 2), np.nan)
-        positions[name][indices] = at[:, 1:]
-        starts[name] = float(at[0, 0])
-    tracks = Tracks(positions, step, found["notes"], starts)
-    tracks.source = str(file)
+    step, notes, names, starts, positions = _track_reader.read(file, options)
+    tracks = Tracks(dict(zip(names, positions, strict=True)), step, notes, dict(zip(names, starts, strict=True)))
+    tracks.source = "" if isinstance(file, _track_reader.Text) else str(file)
     return tracks
 
 
@@ -269,13 +247,8 @@ def from_frame(frame: pandas.DataFrame, **options: Any) -> Tracks:
     """
     if not isinstance(frame, _pandas().DataFrame):
         raise _arguments.wrong("frame", frame, "a data frame")
-    with tempfile.TemporaryDirectory(prefix="matrigrate.") as folder:
-        file = os.path.join(folder, "frame.csv")
-        frame.to_csv(file, index=any(name is not None and name not in frame.columns for name in frame.index.names))
-        try:
-            return read(file, **options)
-        except ConfigurationError as error:
-            raise ConfigurationError(str(error).replace(file, "the data frame")) from None
+    text = frame.to_csv(index=any(name is not None and name not in frame.columns for name in frame.index.names))
+    return read(_track_reader.Text(text), **options)
 
 
 def of(result: Run | Study, interval: float | None = None) -> Tracks:

@@ -1,11 +1,12 @@
 #include "tracks/drift.hpp"
 
+#include "base/failure.hpp"
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
 namespace matrigrate::tracks {
 
@@ -21,11 +22,12 @@ struct Sum {
   bool counts() const { return n >= least_for_drift; }
 };
 
-std::vector<Sum> sums_of(const Tracks& tracks, double first) {
+std::vector<Sum> sums_of(const Tracks& tracks, double first, const std::string& file) {
   std::size_t last = 0;
   for (const Track& track : tracks.tracks) last = std::max(last, tracks.offset(track, first) + track.span());
   if (last > most_times)
-    throw std::invalid_argument(fmt::format("its tracks are {} intervals apart: drift cannot be found", last));
+    throw ConfigurationError(
+        {{file, 0, 0, {}, fmt::format("its tracks are {} intervals apart: drift cannot be found", last)}});
   std::vector<Sum> sums(last + 1);
   for (const Track& track : tracks.tracks) {
     const std::size_t offset = tracks.offset(track, first);
@@ -59,9 +61,9 @@ std::string stretches(const std::vector<Sum>& sums, bool counting, double first,
 
 } // namespace
 
-Drift drift_of(const Tracks& tracks) {
+Drift drift_of(const Tracks& tracks, const std::string& file) {
   const double first = tracks.first();
-  const std::vector<Sum> sums = sums_of(tracks, first);
+  const std::vector<Sum> sums = sums_of(tracks, first, file);
   Drift drift{.x = std::vector<double>(sums.size(), 0.0), .y = std::vector<double>(sums.size(), 0.0), .said = {}};
   std::size_t least = tracks.tracks.size(), most = 0;
   for (std::size_t k = 1; k < sums.size(); ++k) {
@@ -83,12 +85,16 @@ Drift drift_of(const Tracks& tracks) {
   return drift;
 }
 
-void take_drift_away(Tracks& tracks) {
-  const Drift drift = drift_of(tracks);
+void take_drift_away(Tracks& tracks, const std::string& file) {
+  const Drift drift = drift_of(tracks, file);
   if (drift.said.empty())
-    throw std::invalid_argument(fmt::format(
-        "at no time {} tracks go on together, so drift cannot be separated from migration; it has {} tracks",
-        least_for_drift, tracks.tracks.size()));
+    throw ConfigurationError(
+        {{file,
+          0,
+          0,
+          {},
+          fmt::format("at no time {} of {} tracks go on together, so drift cannot be separated from migration",
+                      least_for_drift, tracks.tracks.size())}});
   const double first = tracks.first();
   for (Track& track : tracks.tracks) {
     const std::size_t offset = tracks.offset(track, first);

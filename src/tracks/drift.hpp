@@ -19,11 +19,12 @@ struct Drift {
   std::string said;         ///< from when to when, and how many tracks stand behind it; empty if no interval has any
 };
 
-/// @throws std::invalid_argument if tracks are too far apart in time
-Drift drift_of(const Tracks& tracks);
+/// @param file  of the tracks, for the message
+/// @throws ConfigurationError if tracks are too far apart in time
+Drift drift_of(const Tracks& tracks, const std::string& file = {});
 
 /// Less their drift, with a note of how much it was. It takes a common direction of the cells away, too.
-/// @throws std::invalid_argument if at no time enough tracks go on
-void take_drift_away(Tracks& tracks);
+/// @throws ConfigurationError also if at no time enough tracks go on
+void take_drift_away(Tracks& tracks, const std::string& file = {});
 
 } // namespace matrigrate::tracks

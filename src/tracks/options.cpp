@@ -44,23 +44,10 @@ void set_column(std::string_view key, std::string name, ColumnNames& names) {
     throw std::invalid_argument(fmt::format("{} is named twice: \"{}\" and \"{}\"", key, excerpt(*own), excerpt(name)));
 }
 
-/// "track=NAME,t=2" as the pairs of a dictionary of Python or of a vector of R.
-std::string pairs_text(std::string_view columns, bool python) {
-  std::vector<std::string> pairs;
-  while (!columns.empty()) {
-    const std::size_t sign = columns.find('='), end = std::min(columns.find(','), columns.size());
-    const std::string_view key = columns.substr(0, sign), name = columns.substr(sign + 1, end - sign - 1);
-    const bool number = name.find_first_not_of("0123456789") == std::string_view::npos;
-    pairs.push_back(
-        fmt::format("{0}{1}{0}{2}{3}{4}{3}", python ? "\"" : "", key, python ? ": " : " = ", number ? "" : "\"", name));
-    columns.remove_prefix(std::min(end + 1, columns.size()));
-  }
-  return fmt::format("{}", fmt::join(pairs, ", "));
-}
-
 } // namespace
 
-void add_columns(std::string_view text, ColumnNames& names) {
+std::vector<std::pair<std::string, std::string>> column_pairs(std::string_view text) {
+  std::vector<std::pair<std::string, std::string>> pairs;
   while (!text.empty()) {
     const std::string_view key = key_at(text);
     if (key.empty()) {
@@ -73,9 +60,14 @@ void add_columns(std::string_view text, ColumnNames& names) {
     std::size_t end = text.find(',');
     while (end != std::string_view::npos && end + 1 < text.size() && key_at(text.substr(end + 1)).empty())
       end = text.find(',', end + 1);
-    set_column(key, std::string(text.substr(0, end)), names);
+    pairs.emplace_back(key, text.substr(0, end));
     text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
   }
+  return pairs;
+}
+
+void add_columns(std::string_view text, ColumnNames& names) {
+  for (auto& [key, name] : column_pairs(text)) set_column(key, std::move(name), names);
 }
 
 std::optional<Splits> splits_of(std::string_view text) {
@@ -84,23 +76,8 @@ std::optional<Splits> splits_of(std::string_view text) {
   return text == "drop" ? std::optional(Splits::drop) : std::nullopt;
 }
 
-std::string TrackOptions::say(std::string_view option, std::string_view value) const {
-  const bool columns = option == "columns", flag = value == "true";
-  const bool text = option == "time-unit" || option == "splits" || option == "layout";
-  if (spelling == Spelling::options)
-    return fmt::format("--{}{}{}", option, value.empty() || flag ? "" : " ",
-                       flag                        ? ""
-                       : columns && !value.empty() ? fmt::format("\"{}\"", value)
-                                                   : std::string(value));
-  const bool keys = spelling == Spelling::keys, python = spelling == Spelling::python;
-  std::string name(option == "interval" && !keys ? "frame_interval" : option);
-  std::ranges::replace(name, '-', '_');
-  if (value.empty()) return name;
-  std::string said(value);
-  if (flag && !keys) said = python ? "True" : "TRUE";
-  if (columns && !keys) said = (python ? "{" : "c(") + pairs_text(value, python) + (python ? "}" : ")");
-  if (text || (columns && keys)) said = fmt::format("\"{}\"", value);
-  return fmt::format("{}{}{}", name, python ? "=" : " = ", said);
+std::string as_record(std::string_view option, std::string_view value) {
+  return fmt::format("{{{}{}{}}}", option, value.empty() ? "" : " ", value);
 }
 
 const std::vector<std::string>& time_units() {
@@ -134,6 +111,23 @@ std::vector<std::string> faults_of(const TrackOptions& options) {
   if (!(options.jitter >= 0.0 && options.jitter < 0.5))
     faults.push_back(fmt::format("{}: {:g} is out of range; allowed is 0 to below 0.5 of the interval",
                                  options.say("jitter"), options.jitter));
+  return faults;
+}
+
+std::vector<std::string> set_words(TrackOptions& options, const std::vector<std::string>& columns,
+                                   std::string_view splits) {
+  std::vector<std::string> faults;
+  for (const std::string& one : columns) try {
+      add_columns(one, options.columns);
+    } catch (const std::invalid_argument& fault) {
+      faults.push_back(fmt::format("{}: {}", options.say("columns"), fault.what()));
+    }
+  const std::optional<Splits> own = splits_of(splits);
+  if (!own)
+    faults.push_back(
+        fmt::format("{}: there is no \"{}\"; there are refuse, cut and drop", options.say("splits"), excerpt(splits)));
+  options.splits = own.value_or(Splits::refuse);
+  for (std::string& fault : faults_of(options)) faults.push_back(std::move(fault));
   return faults;
 }
 

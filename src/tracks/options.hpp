@@ -1,9 +1,11 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 /// What a caller says of a file of measured tracks. Test: tests/unit/tracks/reading_test.cpp
@@ -21,8 +23,11 @@ struct ColumnNames {
   std::string measured; ///< false where it has
 };
 
-/// Reads "track=Track n°,x=X [um],...". A comma belongs to a name unless a key and "=" follow it.
+/// Key and name of each in "track=Track n°,x=X [um],...". A comma belongs to a name unless a key and "=" follow it.
 /// @throws std::invalid_argument saying what is wrong
+std::vector<std::pair<std::string, std::string>> column_pairs(std::string_view text);
+
+/// @throws std::invalid_argument as column_pairs(), and if a column is named twice
 void add_columns(std::string_view text, ColumnNames& names);
 
 /// What is done with a track that has two positions at one time.
@@ -35,9 +40,13 @@ enum class Splits {
 /// "refuse", "cut" or "drop"; nothing for other text.
 std::optional<Splits> splits_of(std::string_view text);
 
-/// How messages spell an option: as one of the command line, as a key of a study file, or as an argument of Python or
-/// R.
-enum class Spelling { options, keys, python, r };
+/// An option in a message, in the words of a front end: one of the command line, a key of a study file, an argument of
+/// Python. Without a value its name alone.
+/// @param value  of columns "track=NAME,t=2", of a flag "true"
+using Wording = std::function<std::string(std::string_view option, std::string_view value)>;
+
+/// "{interval S}", "{interval}": for a front end that words them later, as R.
+std::string as_record(std::string_view option, std::string_view value);
 
 struct TrackOptions {
   std::optional<double> pixel;    ///< um per unit of length of the file
@@ -50,11 +59,9 @@ struct TrackOptions {
   std::size_t shortest = 4; ///< tracks of fewer positions are left out
   std::size_t fewest = 2;   ///< fewer tracks are refused
   bool may_stand = false;   ///< whether tracks without any motion are taken
-  Spelling spelling = Spelling::options;
+  Wording wording = as_record;
 
-  /// "--interval S", "interval = S", "frame_interval=S" or "frame_interval = S"; without a value the name alone.
-  /// @param value  of columns "track=NAME,t=2", of a flag "true"
-  std::string say(std::string_view option, std::string_view value = {}) const;
+  std::string say(std::string_view option, std::string_view value = {}) const { return wording(option, value); }
 };
 
 /// "ms", "s", "min", "h", "d".
@@ -65,5 +72,10 @@ std::vector<std::string> layout_names();
 
 /// What is wrong with the values of the options themselves, one sentence each.
 std::vector<std::string> faults_of(const TrackOptions& options);
+
+/// Sets what is given in words: columns, each as add_columns() reads them, and splits.
+/// @return what is wrong with them, and with the other options, one sentence each
+std::vector<std::string> set_words(TrackOptions& options, const std::vector<std::string>& columns,
+                                   std::string_view splits);
 
 } // namespace matrigrate::tracks

@@ -4,6 +4,8 @@
 #include "statistics/sample.hpp"
 #include "tracks/displacements.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -239,7 +241,13 @@ ReadoutValues TrackParts::readouts(double error) const { return readouts(all(), 
 
 std::vector<double> TrackParts::msd() const { return msd(all()); }
 
-double TrackParts::buried(double error) const { return buried_of(msd(), error); }
+std::string TrackParts::buried(double error) const {
+  const double square = buried_of(msd(), error);
+  if (!(square > 0.0)) return {};
+  return fmt::format("MSD at one interval, {:.3g} um2, is below 4 error^2 = {:.3g} um2: the error is larger than the "
+                     "cells move, so slopes and the persistence time are not defined",
+                     square, 4.0 * error * error);
+}
 
 std::vector<ReadoutValues> TrackParts::drawn(double error, std::size_t resamples) const {
   std::vector<ReadoutValues> sets;

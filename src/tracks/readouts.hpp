@@ -57,9 +57,9 @@ public:
   /// (statistics::resampled); none of a single track.
   std::vector<ReadoutValues> drawn(double error, std::size_t resamples) const;
 
-  /// The mean square displacement at the shortest lag [um^2] if the localisation error leaves nothing of it: then it
-  /// defines no slope and no persistence time. Else 0.
-  double buried(double error) const;
+  /// That the localisation error leaves nothing of the mean square displacement at the shortest lag, so that it defines
+  /// no slope and no persistence time: a sentence; empty if it does.
+  std::string buried(double error) const;
 
   /// Mean square displacement [um^2] at lags of 1, 2, ... intervals, over all pairs of positions; NaN without a pair.
   std::vector<double> msd(std::span<const std::size_t> which) const;

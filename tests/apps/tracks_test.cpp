@@ -97,6 +97,7 @@ TEST_F(TracksVerb, FaultsAreToldAllAtOnceAndNothingIsWritten) {
       ended.err, "files/uncalibrated.csv: POSITION_X and POSITION_Y are in pixel: give --pixel UM, um per pixel\n"))
       << ended.err;
   EXPECT_TRUE(contains(ended.err, "give --interval S, s from frame to frame")) << ended.err;
+  EXPECT_TRUE(contains(run("tracks files/uncalibrated.csv --records").err, "give {pixel UM}, um per pixel\n"));
   EXPECT_TRUE(!exists("plain.csv"));
   EXPECT_EQ(run("tracks nowhere.csv").code, 5);
   EXPECT_EQ(run("tracks files").code, 5);

@@ -312,7 +312,7 @@ class BothSides(common.InTemporaryFolder):
 
     def test_wrong_use(self):
         run = matrigrate.load(common.runs / "run")
-        with self.assertRaisesRegex(matrigrate.ConfigurationError, "90 s is no whole multiple of 60 s"):
+        with self.assertRaisesRegex(matrigrate.ConfigurationError, "90 s is no whole multiple of its interval, 60 s"):
             tracks.of(run, interval=90)
         with self.assertRaises(TypeError):
             tracks.of("run")

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <optional>
 #include <stdexcept>
 #include <string_view>
@@ -14,6 +15,15 @@
 namespace matrigrate::study {
 
 namespace {
+
+/// "interval = S", "columns = \"track=NAME\""; "interval".
+std::string as_key(std::string_view option, std::string_view value) {
+  std::string name(option);
+  std::ranges::replace(name, '-', '_');
+  if (value.empty()) return name;
+  const bool text = name == "columns" || name == "time_unit" || name == "splits" || name == "layout";
+  return text ? fmt::format("{} = \"{}\"", name, value) : fmt::format("{} = {}", name, value);
+}
 
 /// Reads the keys of one table.
 class TrackKeys {
@@ -23,7 +33,7 @@ public:
 
   tracks::TrackOptions options() {
     tracks::TrackOptions options;
-    options.spelling = tracks::Spelling::keys;
+    options.wording = as_key;
     options.shortest = 2; // also of the copy in the folder of the study, which has all tracks that count
     options.pixel = quantity("pixel", "um");
     options.interval = quantity("interval", "s");

@@ -72,14 +72,14 @@ TEST(TrackFiles, IdsThatRepeatInMoviesAreKeptApart) {
   EXPECT_TRUE(notes(apart, "ids repeat: tracks are kept apart by File_name"));
   options.columns.group = {"none"};
   const std::string told = faults_of_file("celltrackscolab.csv", options);
-  EXPECT_NE(told.find("do ids repeat in several movies? --columns \"group=NAME\" tells them apart"), std::string::npos)
+  EXPECT_NE(told.find("do ids repeat in several movies? {columns group=NAME} tells them apart"), std::string::npos)
       << told;
 }
 
 TEST(TrackFiles, ACellThatDividesIsRefusedCutOrLeftOut) {
   EXPECT_EQ(faults_of_file("dividing.csv"),
-            "dividing.csv:86:1: track 0 has two positions at 960 s: it splits or merges; --splits "
-            "cut ends it before, --splits drop leaves it out");
+            "dividing.csv:86:1: track 0 has two positions at 960 s: it splits or merges; {splits "
+            "cut} ends it before, {splits drop} leaves it out");
   TrackOptions options;
   options.splits = Splits::cut;
   const Tracks cut = of_file("dividing.csv", options);
@@ -91,16 +91,16 @@ TEST(TrackFiles, ACellThatDividesIsRefusedCutOrLeftOut) {
 
 TEST(TrackFiles, TimesAreNotGuessed) {
   EXPECT_EQ(faults_of_file("celltrackr.csv", calibrated(1.0, 24.0)),
-            "celltrackr.csv: t rises by 24 from position to position, and its unit is not stated: give --time-unit s "
+            "celltrackr.csv: t rises by 24 from position to position, and its unit is not stated: give {time-unit s} "
             "(or min) "
-            "and no --interval");
+            "and no {interval}");
   TrackOptions seconds;
   seconds.pixel = 1.0;
   seconds.time_unit = "s";
   EXPECT_NEAR(speed(of_file("celltrackr.csv", seconds)), 254.18, 0.01);
   EXPECT_EQ(
       faults_of_file("spaces.txt", calibrated(1.0, 120.0)),
-      "spaces.txt:1:1: has no header; tell what its 6 columns hold, counted from 1: --columns \"track=2,t=3,x=4,y=5\"");
+      "spaces.txt:1:1: has no header; tell what its 6 columns hold, counted from 1: {columns track=2,t=3,x=4,y=5}");
   add_columns("track=2,t=3,x=4,y=5", seconds.columns);
   EXPECT_NEAR(speed(of_file("spaces.txt", seconds)), 254.18, 0.01);
 }
@@ -114,7 +114,7 @@ TEST(TrackFiles, AMovieWithoutCalibrationIsCalibratedByTheCaller) {
   EXPECT_EQ(
       faults_of_file("uncalibrated.csv", pixel),
       "uncalibrated.csv: its movie was not calibrated: x is in no unit of length, and a frame lasts 1 s (POSITION_T): "
-      "give --interval S, s from frame to frame, or --time-unit s if it is 1 s");
+      "give {interval S}, s from frame to frame, or {time-unit s} if it is 1 s");
   pixel.time_unit = "s";
   EXPECT_TRUE(notes(of_file("uncalibrated.csv", pixel), "3265 um/h is faster than cells crawl: are the units right?"));
 }
@@ -129,7 +129,7 @@ TEST(TrackFiles, TimeStampsMayScatter) {
   strict.jitter = 0.01;
   EXPECT_EQ(faults_of_file("jitter.csv", strict),
             "jitter.csv:4:1: track 0 has a step of 119.065 s, the median is 120.439 s: one "
-            "interval is needed, within 1 % (--jitter 0.01) (and 5 more)");
+            "interval is needed, within 1 % ({jitter 0.01}) (and 5 more)");
 }
 
 } // namespace

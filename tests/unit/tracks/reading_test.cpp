@@ -35,7 +35,7 @@ TEST(TrackLength, IsStatedOrGivenAndWhatIsGivenCounts) {
   EXPECT_TRUE(notes(of_text(um, given(0.65, none)),
                     "the file says that x_um is in um; it is taken as 0.65 um per unit, as given"));
   EXPECT_EQ(faults(bare, given(none, none)),
-            "f: does not state the unit of x and y: give --pixel UM, um per unit (1 if um)");
+            "f: does not state the unit of x and y: give {pixel UM}, um per unit (1 if um)");
   EXPECT_EQ(speed(of_text(bare, given(0.5, none))), 30.0);
 }
 
@@ -44,10 +44,10 @@ TEST(TrackTime, OfTwoColumnsIsNotGuessed) {
   const std::string both = "TRACK_ID,POSITION_X,POSITION_Y,POSITION_T,FRAME\n0,0,0,0,0\n0,3,4,300,1\n";
   EXPECT_EQ(
       faults(both, given(1.0, none)),
-      "f: does not state the unit of POSITION_T: give --time-unit s (or min), or --interval S, s from FRAME to FRAME");
+      "f: does not state the unit of POSITION_T: give {time-unit s} (or min), or {interval S}, s from FRAME to FRAME");
   EXPECT_EQ(faults(both, given(1.0, 1.0)),
-            "f: POSITION_T rises by 300 from frame to frame, and its unit is not stated: give --time-unit s (or min) "
-            "and no --interval, or --columns \"frame=FRAME\" if POSITION_T is wrong");
+            "f: POSITION_T rises by 300 from frame to frame, and its unit is not stated: give {time-unit s} (or min) "
+            "and no {interval}, or {columns frame=FRAME} if POSITION_T is wrong");
   EXPECT_EQ(speed(of_text(both, given(1.0, 300.0))), 60.0);
   EXPECT_EQ(speed(of_text(both, given(1.0, none, "s"))), 60.0);
   TrackOptions frames = given(1.0, 600.0);
@@ -79,8 +79,8 @@ TEST(TrackTime, ThatTheFileStatesIsOverruledWithANote) {
 TEST(TrackTime, OfFramesNeedsTheInterval) {
   const std::string frames = "particle,frame,x,y\n1,0,0,0\n1,2,3,4\n";
   EXPECT_EQ(faults(frames, given(1.0, none)),
-            "f: its times are numbers of frames (frame): give --interval S, s from frame to frame");
-  EXPECT_EQ(faults(frames, given(1.0, none, "s")).find("f: --time-unit: there is no column of time; give --interval S"),
+            "f: its times are numbers of frames (frame): give {interval S}, s from frame to frame");
+  EXPECT_EQ(faults(frames, given(1.0, none, "s")).find("f: {time-unit}: there is no column of time; give {interval S}"),
             0U);
   const Tracks every_second = of_text(frames, given(1.0, 150.0));
   EXPECT_EQ(speed(every_second), 60.0);
@@ -121,7 +121,7 @@ TEST(TrackGrid, RowsInAnyOrder) {
 
 TEST(TrackGrid, AStepOfItsOwnIsALineOfItsTrack) {
   EXPECT_EQ(faults(head + "a,0,0,0\na,60,1,0\na,120,2,0\na,150,2,0\na,160,2,0\nb,0,0,0\nb,60,1,0\nb,120,1,0\n", few()),
-            "f:5:1: track a has a step of 30 s, most have 60 s: one interval is needed, within 10 % (--jitter 0.1)");
+            "f:5:1: track a has a step of 30 s, most have 60 s: one interval is needed, within 10 % ({jitter 0.1})");
   EXPECT_EQ(faults(head
                        + "a,0,0,0\na,60,1,0\na,120,2,0\nb,0,0,0\nb,120,1,0\nb,240,1,0\nb,360,1,0\nb,480,1,0\nb,600,1,"
                          "0\na,180,2,2\na,240,2,2\na,300,2,2\na,360,2,2\n",
@@ -168,8 +168,8 @@ TEST(TrackGrid, ShortAndFewAndStillTracks) {
   options.fewest = 2;
   const std::string one = "a,0,0,0\na,60,1,0\na,120,1,0\nb,0,0,0\nb,60,1,0\n";
   EXPECT_EQ(faults(head + one, options),
-            "f: has 1 track of at least 3 positions; 2 are needed to tell how cells differ (--shortest, "
-            "--fewest)");
+            "f: has 1 track of at least 3 positions; 2 are needed to tell how cells differ ({shortest}, "
+            "{fewest})");
   options.fewest = 1;
   EXPECT_TRUE(notes(of_text(head + one, options), "1 track of fewer than 3 positions is left out"));
   EXPECT_EQ(faults(head + "a,0,1,1\na,60,1,1\n", few()), "f: no track moves: all positions of a track are the same");
@@ -236,8 +236,8 @@ TEST(Movies, AreToldApartByAnyColumn) {
 TEST(Movies, WithoutAColumnAreRefused) {
   EXPECT_EQ(faults(table({}), by_minute),
             "f: after 540 s all 4 tracks that go on leap, by 197 to 203 um (the usual step is 3 um): another movie "
-            "begins. Tell movies apart by a column, --columns \"group=NAME\", or read each by itself; --columns "
-            "\"group=none\" if these are the same cells");
+            "begins. Tell movies apart by a column, {columns group=NAME}, or read each by itself; {columns "
+            "group=none} if these are the same cells");
   TrackOptions none = by_minute;
   none.columns.group = {"none"};
   EXPECT_EQ(
@@ -256,7 +256,7 @@ TEST(Movies, AreNotSeenInOne) {
   shift.frames = 10;
   const Tracks shifted = of_text(table(shift), by_minute);
   EXPECT_EQ(shifted.tracks.size(), 4U);
-  EXPECT_NE(shifted.notes.back().find("did the stage move? --drift"), std::string::npos);
+  EXPECT_NE(shifted.notes.back().find("did the stage move? {drift true}"), std::string::npos);
   EXPECT_EQ(of_text(table({.title = "plane,", .first = "1,", .second = "1,", .cells = 4, .apart = 0.0}), by_minute)
                 .notes.size(),
             0U);
@@ -278,7 +278,7 @@ TEST(Movies, AreNotSeenWhereLongStepsAreFrequent) {
 TEST(Movies, ThatBeginAgainAreToldApartByTheColumnThatIsNamed) {
   const std::string again = table({.title = "mouse,", .first = "a,", .second = "b,", .begin = 0});
   const std::string told = faults(again, by_minute);
-  EXPECT_NE(told.find("do ids repeat in several movies? --columns \"group=mouse\" tells them apart"), std::string::npos)
+  EXPECT_NE(told.find("do ids repeat in several movies? {columns group=mouse} tells them apart"), std::string::npos)
       << told;
   TrackOptions mouse = by_minute;
   mouse.columns.group = {"mouse"};
@@ -333,21 +333,13 @@ TEST(TrackOptions, OutOfRange) {
   EXPECT_EQ(faults_of(options).size(), 5U);
 }
 
-TEST(TrackOptions, AreSpelledAsTheirCallerWritesThem) {
+TEST(TrackOptions, AreWordedByWhoAsks) {
   TrackOptions options;
-  const auto words = [&](Spelling spelling) {
-    options.spelling = spelling;
-    return options.say("time-unit", "s") + "; " + options.say("interval", "S") + "; "
-           + options.say("columns", "track=A,t=2") + "; " + options.say("drift", "true") + "; "
-           + options.say("interval");
+  EXPECT_EQ(options.say("columns", "track=A,t=2") + options.say("interval"), "{columns track=A,t=2}{interval}");
+  options.wording = [](std::string_view option, std::string_view value) {
+    return std::string(option) + "=" + std::string(value);
   };
-  EXPECT_EQ(words(Spelling::options), "--time-unit s; --interval S; --columns \"track=A,t=2\"; --drift; --interval");
-  EXPECT_EQ(words(Spelling::keys),
-            "time_unit = \"s\"; interval = S; columns = \"track=A,t=2\"; drift = true; interval");
-  EXPECT_EQ(words(Spelling::python),
-            "time_unit=\"s\"; frame_interval=S; columns={\"track\": \"A\", \"t\": 2}; drift=True; frame_interval");
-  EXPECT_EQ(words(Spelling::r),
-            "time_unit = \"s\"; frame_interval = S; columns = c(track = \"A\", t = 2); drift = TRUE; frame_interval");
+  EXPECT_EQ(options.say("interval", "S"), "interval=S");
 }
 
 TEST(ColumnTitles, NamesAndUnits) {
@@ -392,7 +384,7 @@ TEST(TrackMateXml, IsCalibratedByItselfOrByTheCaller) {
   pixel.pixel = 0.5;
   EXPECT_EQ(faults(plain, few(pixel)),
             "f: its movie was not calibrated: x is in no unit of length, and a frame lasts 1 s "
-            "(frameInterval): give --interval S, s from frame to frame, or --time-unit s if it is 1 s");
+            "(frameInterval): give {interval S}, s from frame to frame, or {time-unit s} if it is 1 s");
   TrackOptions interval;
   interval.interval = 300.0;
   const std::string wrong = xml("spaceUnits=\"um\" frameInterval=\"1.0\" timeUnits=\"sec\"");
@@ -434,8 +426,8 @@ TEST(MTrackJ, TracksOfClusters) {
   ASSERT_EQ(two.tracks.size(), 3U);
   EXPECT_EQ(two.tracks[2].name, "2/1/1");
   EXPECT_EQ(faults(text + end, few()),
-            "f: x and y are in pixel: give --pixel UM, um per pixel\n"
-            "f: its times are numbers of frames (t): give --interval S, s from frame to frame");
+            "f: x and y are in pixel: give {pixel UM}, um per pixel\n"
+            "f: its times are numbers of frames (t): give {interval S}, s from frame to frame");
   EXPECT_EQ(faults(text, few()), "f:11:1: is cut short: its last line is not \"End of MTrackJ Data File\"");
   EXPECT_EQ(faults("MTrackJ 1.5.1 Data File\nPoint 1 0 0 1 1 1\nTrack 1\nPoint 2 0 0\nPoint 3 a 0 1 1 1\n" + end),
             "f:2:1: has a point in no track\nf:4:1: has 4 words; Point ID x y z t are wanted\n"
