@@ -138,7 +138,7 @@ _matrigrate() {
   matrigrate_study_task)
     if [[ $cur == -* ]]; then COMPREPLY=($(compgen -W "--help --list" -- "$cur")); else _matrigrate_files -d; fi ;;
   matrigrate_tracks)
-    if [[ $cur == -* ]]; then COMPREPLY=($(compgen -W "--help --beside --pixel --interval --time-unit --columns --layout --splits --jitter --shortest --fewest --drift --every --error --resamples --output --force --json" -- "$cur")); else _matrigrate_files -f; fi ;;
+    if [[ $cur == -* ]]; then COMPREPLY=($(compgen -W "--help --beside --pixel --interval --time-unit --columns --layout --splits --jitter --shortest --fewest --drift --every --error --resamples --output --force --json --records" -- "$cur")); else _matrigrate_files -f; fi ;;
   matrigrate_list)
     if [[ $cur == -* ]]; then COMPREPLY=($(compgen -W "--help --parameters --schema-json --readouts-json" -- "$cur")); else COMPREPLY=(); fi ;;
   matrigrate_live)

@@ -188,6 +188,7 @@ complete -c matrigrate -n '__matrigrate_at tracks' -l resamples -x -d 'Draws of 
 complete -c matrigrate -n '__matrigrate_at tracks' -s o -l output -x -a '(__fish_complete_directories)' -d 'Write the tracks into this CSV file'
 complete -c matrigrate -n '__matrigrate_at tracks' -l force -d 'Replace that file'
 complete -c matrigrate -n '__matrigrate_at tracks' -l json -d 'Print JSON'
+complete -c matrigrate -n '__matrigrate_at tracks' -l records -d 'Name options in notes and faults as {interval S}, for who words them'
 
 complete -c matrigrate -n '__matrigrate_at list' -s h -l help -d 'Print this help message and exit'
 complete -c matrigrate -n '__matrigrate_at list' -l parameters -d 'Instead: all parameters, as a Markdown table a section'
