@@ -28,7 +28,8 @@ read_measured_tracks <- function(file, pixel = NULL, frame_interval = NULL, time
 # A text in which the program names options as {interval S}, with the arguments of read_measured_tracks in their place.
 .as_arguments <- function(text) {
   if (length(text) == 0) return(text)
-  found <- gregexpr("\\{(pixel|interval|time-unit|columns|layout|splits|jitter|shortest|fewest|drift)( [^{}]*)?\\}", text, perl = TRUE)
+  options <- "pixel|interval|time-unit|columns|layout|splits|jitter|shortest|fewest|drift"
+  found <- gregexpr(paste0("\\{(", options, ")( [^{}]*)?\\}"), text, perl = TRUE)
   regmatches(text, found) <- lapply(regmatches(text, found), function(records) vapply(records, .argument, ""))
   text
 }

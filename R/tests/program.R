@@ -72,8 +72,12 @@ stopifnot(
     "--jitter", "0.2", "--shortest", "3", "--fewest", "1", "--drift", "--columns", "track=Track n", "--columns", "x=3"
   ))
 )
-stopifnot(identical(
-  matrigrate:::.as_arguments(c("give {interval S} or {columns track=Track n, of all,t=2}", "{splits cut}, {drift true}, {time-unit s}; {fewest} {no option}")),
-  c("give frame_interval = S or columns = c(track = \"Track n, of all\", t = 2)", "splits = \"cut\", drift = TRUE, time_unit = \"s\"; fewest {no option}")
+worded <- matrigrate:::.as_arguments(c(
+  "give {interval S} or {columns track=Track n, of all,t=2}",
+  "{splits cut}, {drift true}; {fewest} {none}"
 ))
+stopifnot(identical(worded, c(
+  "give frame_interval = S or columns = c(track = \"Track n, of all\", t = 2)",
+  "splits = \"cut\", drift = TRUE; fewest {none}"
+)))
 stopifnot(grepl("names are expected", tryCatch(read_measured_tracks("spots.csv", columns = "x"), error = conditionMessage)))

@@ -168,7 +168,7 @@ FolderState look_at(const fs::path& folder) {
   list_entries(state);
   if (fs::exists(folder / "run.json", error)) state.holds |= Holds::run_json;
   if (has_checkpoint(folder)) state.holds |= Holds::checkpoint;
-  if (fs::is_regular_file(folder / "study.resolved.toml", error)) state.holds |= Holds::a_study;
+  if (fs::exists(folder / "study.resolved.toml", error)) state.holds |= Holds::a_study;
   state.record = record_of(folder);
   if (state.record.is_object()) state.holds |= Holds::a_run;
   return state;

@@ -1,4 +1,4 @@
-#include "tracks/calibrate.hpp"
+#include "tracks/spots.hpp"
 
 #include "parameters/document.hpp"
 #include "statistics/sample.hpp"

@@ -1,4 +1,4 @@
-#include "tracks/header.hpp"
+#include "tracks/table.hpp"
 
 #include "parameters/document.hpp"
 #include "parameters/nearest.hpp"

@@ -2,47 +2,37 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <functional>
-#include <map>
 
 namespace matrigrate::tracks {
 
 namespace {
 
-using UnitSizes = std::map<std::string, double, std::less<>>;
+struct UnitSize {
+  double size;
+  std::vector<std::string_view> names;
+};
+using UnitSizes = std::vector<UnitSize>;
 
 const UnitSizes& lengths() {
-  static const UnitSizes sizes{{"um", 1.0},
-                               {"\u00b5m", 1.0},
-                               {"\u03bcm", 1.0},
-                               {"micron", 1.0},
-                               {"microns", 1.0},
-                               {"micrometer", 1.0},
-                               {"micrometers", 1.0},
-                               {"micrometre", 1.0},
-                               {"micrometres", 1.0},
-                               {"mikrometer", 1.0},
-                               {"microm\u00e8tre", 1.0},
-                               {"microm\u00e8tres", 1.0},
-                               {"micr\u00f3metro", 1.0},
-                               {"micr\u00f3metros", 1.0},
-                               {"micras", 1.0},
-                               {"nm", 1e-3},
-                               {"mm", 1e3},
-                               {"cm", 1e4}};
+  static const UnitSizes sizes{
+      {1.0,
+       {"um", "\u00b5m", "\u03bcm", "micron", "microns", "micrometer", "micrometers", "micrometre", "micrometres",
+        "mikrometer", "microm\u00e8tre", "microm\u00e8tres", "micr\u00f3metro", "micr\u00f3metros", "micras"}},
+      {1e-3, {"nm"}},
+      {1e3, {"mm"}},
+      {1e4, {"cm"}}};
   return sizes;
 }
 
 const UnitSizes& times() {
   static const UnitSizes sizes{
-      {"ms", 1e-3},      {"msec", 1e-3},     {"s", 1.0},       {"sec", 1.0},       {"secs", 1.0},
-      {"second", 1.0},   {"seconds", 1.0},   {"min", 60.0},    {"mins", 60.0},     {"minute", 60.0},
-      {"minutes", 60.0}, {"h", 3600.0},      {"hr", 3600.0},   {"hrs", 3600.0},    {"hour", 3600.0},
-      {"hours", 3600.0}, {"sek", 1.0},       {"sekunde", 1.0}, {"sekunden", 1.0},  {"seconde", 1.0},
-      {"secondes", 1.0}, {"seg", 1.0},       {"segundo", 1.0}, {"segundos", 1.0},  {"minuten", 60.0},
-      {"minuto", 60.0},  {"minutos", 60.0},  {"std", 3600.0},  {"stunde", 3600.0}, {"stunden", 3600.0},
-      {"heure", 3600.0}, {"heures", 3600.0}, {"hora", 3600.0}, {"horas", 3600.0},  {"d", 86400.0},
-      {"day", 86400.0},  {"days", 86400.0}};
+      {1e-3, {"ms", "msec"}},
+      {1.0,
+       {"s", "sec", "secs", "second", "seconds", "sek", "sekunde", "sekunden", "seconde", "secondes", "seg", "segundo",
+        "segundos"}},
+      {60.0, {"min", "mins", "minute", "minutes", "minuten", "minuto", "minutos"}},
+      {3600.0, {"h", "hr", "hrs", "hour", "hours", "std", "stunde", "stunden", "heure", "heures", "hora", "horas"}},
+      {86400.0, {"d", "day", "days"}}};
   return sizes;
 }
 
@@ -56,8 +46,10 @@ std::string bare_unit(std::string_view unit) {
 }
 
 std::optional<double> size_of_unit(const UnitSizes& sizes, std::string_view unit) {
-  const auto found = sizes.find(bare_unit(unit));
-  return found == sizes.end() ? std::nullopt : std::optional(found->second);
+  const std::string bare = bare_unit(unit);
+  for (const auto& [size, names] : sizes)
+    if (std::ranges::find(names, bare) != names.end()) return size;
+  return std::nullopt;
 }
 
 bool is_unit(std::string_view text) {

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "tracks/calibrate.hpp"
 #include "tracks/options.hpp"
 #include "tracks/spots.hpp"
 

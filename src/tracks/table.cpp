@@ -1,6 +1,5 @@
 #include "tracks/table.hpp"
 
-#include "tracks/header.hpp"
 #include "tracks/layouts.hpp"
 
 #include <fmt/format.h>

@@ -164,15 +164,15 @@ TEST(TrackNumbers, BothSigns) {
 
 TEST(TrackColumns, TwoOfOneMeaning) {
   EXPECT_EQ(faults("track,t_s,x_um,y_um,x_um\n1,0,0,0,0\n1,60,1,0,2\n", few()),
-            "f:3:1: x_um stands there twice, and the two contradict each other, 1 and 2: name the right one, --columns "
-            "\"x=3\"");
+            "f:3:1: x_um stands there twice, and the two contradict each other, 1 and 2: name the right one, {columns "
+            "x=3}");
   TrackOptions fifth = few();
   add_columns("x=5", fifth.columns);
   EXPECT_EQ(of_text("track,t_s,x_um,y_um,x_um\n1,0,0,0,0\n1,60,1,0,2\n", fifth).tracks[0].x.back(), 2.0);
   EXPECT_TRUE(notes(of_text("track,t_s,x_um,y_um,x_um\n1,0,0,0,0\n1,60,1,0,1\n", few()),
                     "x_um stands there twice; both say the same"));
   EXPECT_EQ(faults("track,t_min,t_s,x_um,y_um\n1,0,0,0,0\n1,3,120,1,0\n", few()),
-            "f:3:1: t_min and t_s contradict each other, 3 and 120: name the right one, --columns \"t=t_min\"");
+            "f:3:1: t_min and t_s contradict each other, 3 and 120: name the right one, {columns t=t_min}");
   EXPECT_TRUE(notes(of_text("track,time (min),t_s,x_um,y_um\n1,0,0,0,0\n1,2,120,1,0\n", few()),
                     "time (min) and t_s say the same")
               || notes(of_text("track,time (min),t_s,x_um,y_um\n1,0,0,0,0\n1,2,120,1,0\n", few()),
@@ -362,13 +362,13 @@ TEST(TrackTable, NamesOfRowsAsRWritesThem) {
 TEST(TrackTable, ColumnsOfTheCaller) {
   const std::string own = "Zelle;Bild;Ort x [px];Ort y [px];dt\n1;0;0;0;7\n1;1;3;4;7\n";
   EXPECT_EQ(faults(own, own_units), "f:1:1: has no column for x, y that is known; its columns are Zelle, Bild, Ort x "
-                                    "[px], Ort y [px], dt. Name them: --columns \"track=NAME,t=NAME,x=NAME,y=NAME\"");
+                                    "[px], Ort y [px], dt. Name them: {columns track=NAME,t=NAME,x=NAME,y=NAME}");
   const Tracks cells = of_text(own, with_columns("track=Zelle,frame=Bild,x=Ort x [px],y=ort Y [px]"));
   EXPECT_EQ(cells.layout, "named");
   EXPECT_EQ(speed(cells), 300.0);
   EXPECT_EQ(speed(of_text(own, with_columns("track=1,frame=2,x=3,y=4"))), 300.0) << "by their numbers";
   EXPECT_EQ(faults(own, with_columns("track=Zele,frame=Bild,x=Ort x [px],y=Ort y [px]")),
-            "f:1:1: --columns: there is no column \"Zele\"; did you mean Zelle?; the columns are Zelle, Bild, Ort x "
+            "f:1:1: {columns}: there is no column \"Zele\"; did you mean Zelle?; the columns are Zelle, Bild, Ort x "
             "[px], Ort y "
             "[px], dt");
   // One of the names of the caller, the others of the layout.
@@ -380,7 +380,7 @@ TEST(TrackTable, OneLayoutAlone) {
   options.layout = "trackpy";
   EXPECT_EQ(faults("track,t,x,y\n1,0,0,0\n", options), "f:1:1: has no column for the track, the time that is known of "
                                                        "trackpy; its columns are track, t, x, y. Name them: "
-                                                       "--columns \"track=NAME,t=NAME,x=NAME,y=NAME\"");
+                                                       "{columns track=NAME,t=NAME,x=NAME,y=NAME}");
 }
 
 TEST(TrackTable, TitlesInOtherLanguages) {
@@ -402,7 +402,7 @@ TEST(TrackTable, OtherTables) {
       std::string::npos);
   EXPECT_NE(faults("1 0 5 0\n2 0 5 0\n", own_units).find("man_track.txt: label, begin, end, parent"),
             std::string::npos);
-  EXPECT_NE(faults("1.5 0 5 0\n2 0 5 0\n", own_units).find("--columns \"track=1,t=2,x=3,y=4\""), std::string::npos);
+  EXPECT_NE(faults("1.5 0 5 0\n2 0 5 0\n", own_units).find("{columns track=1,t=2,x=3,y=4}"), std::string::npos);
   const std::string steps =
       "ImageNumber,TrackObjects_Label_15,TrackObjects_TrajectoryX_15,TrackObjects_TrajectoryY_15\n1,1,0,0\n2,1,3,4\n";
   EXPECT_NE(faults(steps, own_units).find("CellProfiler's table without Location_Center_X and _Y"), std::string::npos);
