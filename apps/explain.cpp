@@ -4,6 +4,7 @@
 #include "draw/particle_picture.hpp"
 #include "draw/text_plot.hpp"
 #include "parameters/laws/law.hpp"
+#include "parameters/laws/law_curves.hpp"
 #include "parameters/read.hpp"
 #include "run/estimate.hpp"
 #include "run/folder_state.hpp"
@@ -116,17 +117,32 @@ std::string laws_text(const Parameters& p) {
   for (const Row* law : changed_laws(p)) {
     text += fmt::format("\n{} = {}\n{}{}; * here, . by default\n", law->path, value_text(*law, p), law->description,
                         law->unit == "1" ? "" : fmt::format(", in {}", law->unit));
+    text += "checked, on a grid, over";
+    for (const LawVariable& argument : law->arguments)
+      text += fmt::format("{} {} from {}", &argument == law->arguments.data() ? "" : ",", argument.name,
+                          range_text(argument));
+    text += "\n";
     for (LawCurve& curve : law_curves(p, *law, 241)) {
       if (!curve.at.empty()) text += fmt::format("at {}:\n", curve.at);
       text += draw::to_text({.x_name = curve.over.name,
                              .x_unit = curve.over.unit,
-                             .x_low = curve.over.low,
-                             .x_high = curve.over.high,
+                             .x_low = curve.over.drawn_low,
+                             .x_high = curve.over.drawn_high,
                              .points = std::move(curve.changed),
                              .comparison = std::move(curve.usual)});
     }
   }
   return text;
+}
+
+/// Of each changed law, the ranges over which it is checked.
+Json ranges_json(const Parameters& p) {
+  Json all = Json::object();
+  for (const Row* law : changed_laws(p))
+    for (const LawVariable& argument : law->arguments)
+      all[std::string(law->path)][std::string(argument.name)] = {
+          {"low", argument.low}, {"high", argument.high}, {"unit", argument.unit}};
+  return all;
 }
 
 Json fields_json(const Parameters& p) {
@@ -167,6 +183,7 @@ Json to_json(const ExplainArguments& options, const Parameters& p, const Derived
           {"fibre_mean_direction_deg", direction ? Json(*direction) : Json()},
           {"fields", fields_json(p)},
           {"laws", run::laws_json(p)},
+          {"law_ranges", ranges_json(p)},
           {"memory_estimate_bytes", d.cost.memory_bytes},
           {"disk_estimate_bytes", d.cost.disk_bytes},
           {"wall_time_estimate_s", d.cost.wall_time},

@@ -75,23 +75,14 @@ std::size_t length_of(std::string_view text) {
       std::ranges::count_if(text, [](unsigned char c) { return std::isspace(c) == 0 && (c & 0xc0U) != 0x80U; }));
 }
 
-FormulaTree tree_of(const std::string& text, std::span<const std::string_view> variables,
-                    std::span<const NamedNumber> constants) {
-  const auto refuse_long = [](std::string_view formula) {
-    if (const std::size_t length = length_of(formula); length > max_length || formula.size() > 10 * max_length)
-      throw std::invalid_argument(fmt::format("is a formula of {} characters; allowed are {}", length, max_length));
-  };
-  refuse_long(text);
-  const FormulaNames names{[&](std::string_view name) {
-                             return std::ranges::find(variables, name) != variables.end()
-                                    || std::ranges::find(constants, name, &NamedNumber::name) != constants.end()
-                                    || known().GetConst().contains(std::string(name));
-                           },
-                           arguments_of};
+/// @throws UnknownName, std::invalid_argument
+FormulaTree readable_tree(std::string_view text, std::span<const std::string_view> variables,
+                          std::span<const NamedNumber> constants) {
   try {
-    FormulaTree tree = formula_tree(text, names);
-    refuse_long(written(tree.whole));
-    return tree;
+    return tree_of(text, [&](std::string_view name) {
+      return std::ranges::find(variables, name) != variables.end()
+             || std::ranges::find(constants, name, &NamedNumber::name) != constants.end();
+    });
   } catch (const FormulaFault& fault) {
     const std::string why = fmt::format("{}, at character {}: {}", unreadable(variables), fault.at, fault.what());
     if (fault.unknown.empty()) throw std::invalid_argument(why);
@@ -110,7 +101,7 @@ struct Expression::Parser {
 
 Expression::Expression(const std::string& text, std::span<const std::string_view> variables,
                        std::span<const NamedNumber> constants)
-    : Expression(tree_of(text, variables, constants), variables, constants) {}
+    : Expression(readable_tree(text, variables, constants), variables, constants) {}
 
 Expression::Expression(FormulaTree tree, std::span<const std::string_view> variables,
                        std::span<const NamedNumber> constants)
@@ -119,7 +110,10 @@ Expression::Expression(FormulaTree tree, std::span<const std::string_view> varia
   mu::Parser& parser = m_parser->parser;
   m_parser->values.resize(variables.size(), 0.0);
   try {
-    for (const NamedNumber& constant : constants) parser.DefineConst(constant.name, constant.value);
+    for_each_part(m_parser->tree.whole, [&](const Part& part) {
+      const auto named = std::ranges::find(constants, part.text, &NamedNumber::name);
+      if (part.kind == Part::Kind::name && named != constants.end()) parser.DefineConst(named->name, named->value);
+    });
     for (std::size_t k = 0; k < variables.size(); ++k)
       parser.DefineVar(std::string(variables[k]), &m_parser->values[k]);
     parser.SetExpr(for_evaluation(m_parser->tree.whole));
@@ -146,6 +140,20 @@ double Expression::at(std::span<const double> arguments) const {
 }
 
 bool Expression::uses(std::size_t variable) const { return m_parser->used.at(variable); }
+
+FormulaTree tree_of(std::string_view text, const std::function<bool(std::string_view)>& is_given) {
+  const auto refuse_long = [](std::string_view formula) {
+    if (const std::size_t length = length_of(formula); length > max_length || formula.size() > 10 * max_length)
+      throw std::invalid_argument(fmt::format("is a formula of {} characters; allowed are {}", length, max_length));
+  };
+  refuse_long(text);
+  const auto is_number = [&](std::string_view name) {
+    return is_given(name) || known().GetConst().contains(std::string(name));
+  };
+  FormulaTree tree = formula_tree(text, {is_number, arguments_of});
+  refuse_long(written(tree.whole));
+  return tree;
+}
 
 bool in_every_formula(const std::string& name) {
   return known().GetFunDef().contains(name) || known().GetConst().contains(name);

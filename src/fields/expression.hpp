@@ -3,6 +3,7 @@
 #include "fields/formula_tree.hpp"
 
 #include <cstddef>
+#include <functional>
 #include <memory>
 #include <span>
 #include <stdexcept>
@@ -55,6 +56,11 @@ private:
   struct Parser;
   std::unique_ptr<Parser> m_parser;
 };
+
+/// A text as the formula that an Expression of the same names evaluates.
+/// @param is_given  whether a name is one of a variable or constant
+/// @throws FormulaFault; std::invalid_argument of a text that is too long
+FormulaTree tree_of(std::string_view text, const std::function<bool(std::string_view)>& is_given);
 
 /// Whether every formula knows the name: a function or a constant of muParser.
 bool in_every_formula(const std::string& name);

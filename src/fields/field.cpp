@@ -1,5 +1,6 @@
 #include "fields/field.hpp"
 
+#include "fields/expression.hpp"
 #include "fields/file_words.hpp"
 #include "fields/grids.hpp"
 
@@ -14,8 +15,14 @@
 
 namespace matrigrate::fields {
 
+namespace {
+
+constexpr std::array<std::string_view, 3> variables{"x", "y", "r"};
+
+} // namespace
+
 struct Field::Source {
-  std::variant<Formula, std::shared_ptr<const Grid>> of;
+  std::variant<Expression, std::shared_ptr<const Grid>> of;
 };
 
 Field::Field(const std::string& text, const std::filesystem::path& folder, Grids* grids) : m_text(text) {
@@ -24,7 +31,7 @@ Field::Field(const std::string& text, const std::filesystem::path& folder, Grids
     m_text = std::move(named.text);
     m_source = std::make_unique<Source>(Source{std::move(named.grid)});
   } else {
-    m_source = std::make_unique<Source>(Source{Formula(text)});
+    m_source = std::make_unique<Source>(Source{Expression(text, variables)});
   }
 }
 
@@ -34,7 +41,7 @@ Field::~Field() = default;
 double Field::at(const Vec2& x) const {
   if (const auto* grid = std::get_if<std::shared_ptr<const Grid>>(&m_source->of))
     return m_are_axes ? (*grid)->axis_at(x, m_factor) : m_factor * (*grid)->at(x);
-  return m_factor * std::get<Formula>(m_source->of).at(x);
+  return m_factor * std::get<Expression>(m_source->of).at(std::array{x.x(), x.y(), std::hypot(x.x(), x.y())});
 }
 
 const std::string& Field::column() const {
@@ -44,8 +51,8 @@ const std::string& Field::column() const {
 }
 
 std::string Field::chained() const {
-  const auto* formula = std::get_if<Formula>(&m_source->of);
-  return formula == nullptr ? std::string() : formula->chained();
+  const auto* formula = std::get_if<Expression>(&m_source->of);
+  return formula == nullptr ? std::string() : formula->tree().chained;
 }
 
 std::string Field::description() const {

@@ -15,7 +15,7 @@ class Grids;
 
 /// A field that a scenario names by one text:
 ///
-///   "200 + 50*tanh(x/20)"                      a formula in x, y and r [um] (Formula)
+///   "200 + 50*tanh(x/20)"                      a formula in x, y and r, the distance from the origin [um] (Expression)
 ///   "stiffness.csv"                            a grid (samples_from_csv); "... column=E_Pa" takes that column
 ///   "collagen.png pixel=0.5 from=50 to=400"    a picture, PNG or TIFF: width of a pixel [um], and the values of black
 ///                                              and white; "x=10 y=-5" is where its centre lies [um] (0, 0)

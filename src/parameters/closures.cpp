@@ -44,7 +44,7 @@ std::vector<const Row*> rows_of_sets() {
   std::vector<const Row*> rows;
   for (const Row& row : schema())
     if (!row.path.starts_with("run.")
-        && std::ranges::any_of(sets(), [&](const Set& set) { return value_text(row, set.p) != value_text(row, {}); }))
+        && std::ranges::any_of(sets(), [&](const Set& set) { return differs(row, set.p, {}); }))
       rows.push_back(&row);
   return rows;
 }
@@ -72,7 +72,7 @@ Closures closures_of(const Parameters& p) {
   for (const Row* row : rows_of_sets()) {
     ClosureValue value{.key = row->path, .value = value_text(*row, p), .sets = {}};
     for (const Set& set : sets())
-      if (value_text(*row, set.p) == value.value) value.sets.push_back(set.name);
+      if (!differs(*row, set.p, p)) value.sets.push_back(set.name);
     found.values.push_back(std::move(value));
   }
   for (const Set& set : sets()) {

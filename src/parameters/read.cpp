@@ -175,9 +175,7 @@ public:
   /// @throws ConfigurationError if there was any fault
   Parameters finish(std::span<const Rule> more) {
     if (!m_refused) {
-      follow_earlier_version();
-      follow_curvature_profile();
-      follow_integrator();
+      follow();
       check_cells();
       check_rules(rules());
       check_rules(more);
@@ -187,7 +185,21 @@ public:
     return m_parameters;
   }
 
+  /// The same without rules.
+  Parameters finish() {
+    if (!m_refused) follow();
+    m_faults.raise();
+    return m_parameters;
+  }
+
 private:
+  /// What the file means without saying it.
+  void follow() {
+    follow_earlier_version();
+    follow_curvature_profile();
+    follow_integrator();
+  }
+
   /// A resolved file without a key was written when there was no such key.
   void follow_earlier_version() {
     if (!m_resolved) return;
@@ -357,7 +369,8 @@ private:
       const auto blamed = [&](std::string_view key) { return m_blamed.contains(key); };
       const bool told = rule.name == several_cells_rule && (!m_cell_places.empty() || m_blamed.contains("cells"));
       if (told || std::ranges::any_of(rule.keys, blamed)) continue;
-      const std::string fault = rule.broken(m_parameters);
+      const std::string fault =
+          m_judgement(rule, m_parameters, [this](const Rule& r) { return r.broken(m_parameters); });
       if (fault.empty()) continue;
       const std::string key(key_to_blame(rule));
       const auto given = m_given.find(key);
@@ -389,6 +402,7 @@ private:
   std::map<std::string_view, std::string> m_gone; ///< what a resolved file says by parameters that laws have replaced
   std::vector<Place> m_cell_places;               ///< of the cells that were given
   std::set<std::string, std::less<>> m_blamed;    ///< keys with a fault of their own
+  Judgement m_judgement;
 };
 
 } // namespace
@@ -411,6 +425,12 @@ Parameters read_parameters(const std::filesystem::path& file, const std::vector<
   reader.read_text(read_document(file, largest_file));
   for (const std::string& text : overrides) reader.override_with(text);
   return reader.finish(more);
+}
+
+Parameters read_unjudged(const std::filesystem::path& file) {
+  Reader reader{Parameters{}, file.string()};
+  reader.read_text(read_document(file, largest_file));
+  return reader.finish();
 }
 
 Parameters parse_parameters(std::string_view text, const std::string& name, const std::vector<std::string>& overrides,

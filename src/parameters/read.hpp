@@ -30,6 +30,9 @@ namespace matrigrate {
 Parameters read_parameters(const std::filesystem::path& file, const std::vector<std::string>& overrides = {},
                            std::span<const Rule> more = {});
 
+/// The same of the base of a study, which may break rules() that each of its points keeps.
+Parameters read_unjudged(const std::filesystem::path& file);
+
 /// @param name  stands for the file in faults
 /// @throws ConfigurationError with all faults
 Parameters parse_parameters(std::string_view text, const std::string& name,

@@ -1,4 +1,4 @@
-#include "parameters/laws/law.hpp"
+#include "parameters/laws/law_names.hpp"
 #include "parameters/schema.hpp"
 
 #include <fmt/format.h>
@@ -43,10 +43,9 @@ Kind kind_of_text(const Row& row) {
 
 /// "a formula in F, f_mat and t of values ".
 std::string formula_text(const Row& law) {
-  const auto variables = law_variables(law);
   std::string text = "a formula in ";
-  for (std::size_t k = 0; k < variables.size(); ++k)
-    text += fmt::format("{}{}", k == 0 ? "" : k + 1 < variables.size() ? ", " : " and ", variables[k].name);
+  for (std::size_t k = 0; k < law.arguments.size(); ++k)
+    text += fmt::format("{}{}", k == 0 ? "" : k + 1 < law.arguments.size() ? ", " : " and ", law.arguments[k].name);
   return text + " of values ";
 }
 
@@ -103,6 +102,28 @@ std::string value_text(const Row& row, const Parameters& parameters) {
                     row.member);
 }
 
+std::string meaning_text(const Row& row, const Parameters& p) {
+  const bool law = kind(row) == Kind::law || kind(row) == Kind::constants;
+  return law ? in_quotes(law_meaning(row, p)) : value_text(row, p);
+}
+
+bool differs(const Row& row, const Parameters& a, const Parameters& b) {
+  return meaning_text(row, a) != meaning_text(row, b);
+}
+
+std::string description_of(const Row& row) {
+  std::string text(row.description);
+  for (const LawVariable& argument : row.arguments)
+    text += fmt::format("{}{}: {}, {}", &argument == row.arguments.data() ? ". Arguments: " : "; ", argument.name,
+                        argument.meaning, range_text(argument));
+  return text;
+}
+
+std::string range_text(const LawVariable& argument) {
+  const std::string unit = argument.unit.empty() ? "" : fmt::format(" {}", argument.unit);
+  return fmt::format("{:g} to {:g}{}", argument.low, argument.high, unit);
+}
+
 const std::string& text_of(const Row& row, const Parameters& p) {
   return std::get<Text>(row.member)(const_cast<Parameters&>(p)); // the accessor only finds it
 }
@@ -117,7 +138,7 @@ std::string before_text(const Row& row, const Parameters& p) {
 
 bool counts(const Row& row, const Parameters& p) {
   if (row.of_part != nullptr && !row.of_part(p)) return false;
-  return !row.before || value_text(row, p) != before_text(row, p);
+  return !row.before || meaning_text(row, p) != before_text(row, p);
 }
 
 std::string allowed_text(const Row& row) {
@@ -153,6 +174,10 @@ bool in_range(const Row& row, double value) {
 bool same(const Parameters& a, const Parameters& b) {
   Parameters p = a;
   Parameters q = b;
+  for (const Row& law : law_rows()) { // in one spelling
+    std::get<Text>(law.member)(p) = law_meaning(law, a);
+    std::get<Text>(law.member)(q) = law_meaning(law, b);
+  }
   const auto agrees = [&](const Row& row) {
     return std::visit(Match{[&](Real member) {
                               return std::bit_cast<std::uint64_t>(member(p)) == std::bit_cast<std::uint64_t>(member(q));

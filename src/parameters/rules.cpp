@@ -1,10 +1,14 @@
 #include "parameters/rules.hpp"
 
 #include "parameters/laws/law.hpp"
+#include "parameters/laws/law_names.hpp"
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <iterator>
 #include <numbers>
 
 namespace matrigrate {
@@ -33,7 +37,7 @@ std::string room(const Parameters& p) {
 }
 
 std::string hole(const Parameters& p) {
-  if (!room(p).empty() || !p.cells.empty()) return {}; // said already, or by cell_faults()
+  if (!p.cells.empty()) return {}; // said by cell_faults()
   const double hole_radius = std::hypot(p.cell.start_x, p.cell.start_y) + p.cell.radius + p.degradation.body_distance;
   const double free_radius = p.ecm.radius - 2.0 * p.ecm.smoothing_length;
   if (hole_radius < free_radius) return {};
@@ -47,13 +51,11 @@ bool has_attractant(const Parameters& p) {
   return !p.ecm.fields.attractant.empty() || !p.ecm.fields.attractant_source.empty();
 }
 
-/// Whether a changed law of initiation depends on a variable.
-bool initiation_uses(const Parameters& p, std::string_view variable) {
-  for (const std::string_view path : {"laws.initiation_bias", "laws.initiation_rate"}) {
-    if (!is_changed(*find_row(path), p) || !fault_of_law(p, *find_row(path)).empty()) continue;
-    if (fault_of_constants(p).empty() && Law(path, p).uses(variable)) return true;
-  }
-  return false;
+/// Whether a law of initiation depends on an argument; the defaults depend on none.
+bool initiation_uses(const Parameters& p, std::string_view argument) {
+  return std::ranges::any_of(std::array{"laws.initiation_bias", "laws.initiation_rate"}, [&](std::string_view path) {
+    return is_changed(*find_row(path), p) && Law(path, p).uses(argument);
+  });
 }
 
 std::string chemotaxis(const Parameters& p) {
@@ -165,27 +167,46 @@ std::string steps(const Parameters& p) {
   return {};
 }
 
+constexpr const char* readable_constants = "constants of laws can be read";
+constexpr const char* enough_neighbours = "enough neighbours";
+constexpr const char* some_is_free = "some matrix is free";
+constexpr const char* few_enough = "not too many particles";
+
 /// Those of the laws: each text can be read.
 std::vector<Rule> with_laws(std::vector<Rule> rules) {
-  rules.push_back({"constants of laws can be read", {"laws.constants"}, fault_of_constants});
+  std::vector<Rule> all{{readable_constants, {"laws.constants"}, fault_of_constants}};
   for (const Row& law : law_rows())
     if (kind(law) == Kind::law)
-      rules.push_back({"a law can be read", {law.path}, [&law](const Parameters& p) { return fault_of_law(p, law); }});
-  return rules;
+      all.push_back({readable_rule(law),
+                     {law.path, "laws.constants"},
+                     [&law](const Parameters& p) { return fault_of_law(p, law); },
+                     {readable_constants},
+                     [&law](const Parameters& p) { return is_changed(law, p); },
+                     true});
+  std::ranges::move(rules, std::back_inserter(all));
+  return all;
+}
+
+/// What a cue is sensed by.
+std::vector<std::string> of_initiation() {
+  return {readable_rule(*find_row("laws.initiation_bias")), readable_rule(*find_row("laws.initiation_rate"))};
 }
 
 } // namespace
 
-bool has_lattice(const Parameters& p) { return support(p).empty() && room(p).empty() && particles(p).empty(); }
+std::vector<std::string> lattice_rules() { return {enough_neighbours, some_is_free, few_enough}; }
+
+std::string readable_rule(const Row& law) { return fmt::format("{} can be read", law.path); }
 
 std::span<const Rule> rules() {
   static const std::vector<Rule> all = with_laws({
-      {"enough neighbours", {"ecm.smoothing_length", "ecm.particle_spacing"}, support},
-      {"some matrix is free", {"ecm.radius", "ecm.smoothing_length", "ecm.particle_spacing"}, room},
+      {enough_neighbours, {"ecm.smoothing_length", "ecm.particle_spacing"}, support},
+      {some_is_free, {"ecm.radius", "ecm.smoothing_length", "ecm.particle_spacing"}, room},
       {"the cell fits",
        {"cell.radius", "cell.start_x", "cell.start_y", "degradation.body_distance", "ecm.radius",
         "ecm.smoothing_length"},
-       hole},
+       hole,
+       {some_is_free}},
       {"a single start belongs to a single cell", {"cell.start_x", "cell.start_y"}, one_start},
       {several_cells_rule,
        {"cell.radius", "degradation.body_distance", "ecm.radius", "ecm.smoothing_length",
@@ -198,12 +219,19 @@ std::span<const Rule> rules() {
       {"a tip fits on a protrusion", {"protrusion.tip_half_width", "protrusion.half_width"}, tip_width},
       {"a base lies on its protrusion", {"adhesion.pinned_particles", "protrusion.half_width"}, pinned_base},
       {"orphans have less support than the floor", {"ecm.orphan_support", "ecm.support_floor"}, supports},
-      {"not too many particles", {"ecm.particle_spacing", "ecm.radius", "ecm.lattice"}, particles},
+      {few_enough, {"ecm.particle_spacing", "ecm.radius", "ecm.lattice"}, particles},
       {"there is attractant to sense",
        {"laws.initiation_bias", "laws.initiation_rate", "ecm.fields.attractant", "ecm.fields.attractant_source"},
-       chemotaxis},
-      {"there is ligand to sense", {"laws.initiation_bias", "laws.initiation_rate", "ecm.fields.ligand"}, haptotaxis},
-      {"there are fibres to follow", {"laws.initiation_bias", "laws.initiation_rate", "fibres.arrangement"}, guidance},
+       chemotaxis,
+       of_initiation()},
+      {"there is ligand to sense",
+       {"laws.initiation_bias", "laws.initiation_rate", "ecm.fields.ligand"},
+       haptotaxis,
+       of_initiation()},
+      {"there are fibres to follow",
+       {"laws.initiation_bias", "laws.initiation_rate", "fibres.arrangement"},
+       guidance,
+       of_initiation()},
       {"fibres have a stiffness", {"fibres.field.stiffness", "fibres.stiffness"}, fibre_stiffness},
       {"what is released diffuses", {"ecm.fields.attractant_source", "cues.diffusion"}, source},
       {"not too many steps", {"run.time_step", "run.duration"}, steps},

@@ -41,6 +41,18 @@ using Member = std::variant<double& (*)(Parameters&), int& (*)(Parameters&), std
 /// commented out.
 enum class Audience { usual, optional, numerical };
 
+/// An argument of a law.
+struct LawVariable {
+  std::string_view name;
+  std::string_view unit;    ///< empty of ratios
+  double low;               ///< a law is judged between here
+  double high;              ///< and here
+  double usual;             ///< where a curve over another variable is drawn
+  double drawn_low;         ///< where cells usually are: a law is drawn from here
+  double drawn_high;        ///< to here
+  std::string_view meaning; ///< a few words
+};
+
 /// A parameter.
 struct Row {
   std::string_view path;        ///< "ecm.youngs_modulus"
@@ -57,6 +69,7 @@ struct Row {
   /// change, this value may not.
   std::optional<std::string_view> before = {};
   bool (*of_part)(const Parameters&) = nullptr; ///< whether the part of the model is there that it belongs to
+  std::span<const LawVariable> arguments = {};  ///< of a law, in the order in which it takes them
 };
 
 /// A section of the scenario file.
@@ -104,6 +117,17 @@ std::string_view key_of(const Row& row);     ///< "youngs_modulus"
 /// "\"square\"".
 std::string value_text(const Row& row, const Parameters& p);
 
+/// The same, of a law and of constants in one spelling: blanks, the order of constants and their units do not matter.
+/// Two values are the same if their meanings are.
+std::string meaning_text(const Row& row, const Parameters& p);
+bool differs(const Row& row, const Parameters& a, const Parameters& b);
+
+/// The description; of a law with its arguments.
+std::string description_of(const Row& row);
+
+/// "0 to 10 nN": where laws are judged over an argument.
+std::string range_text(const LawVariable& argument);
+
 /// The text of a row that holds one: a field, a law, a file.
 const std::string& text_of(const Row& row, const Parameters& p);
 
@@ -123,7 +147,7 @@ bool in_range(const Row& row, double value);
 /// The starts of several cells as one line: "[{ x = \"0 um\", y = \"40 um\" }, ...]"; "[]" without.
 std::string cells_text(const Parameters& p);
 
-/// Whether two sets of parameters agree in the bits of every row.
+/// Whether two sets of parameters agree in the bits of every row; laws and constants in their meaning.
 bool same(const Parameters& a, const Parameters& b);
 
 } // namespace matrigrate

@@ -31,7 +31,7 @@ void for_each_section(const WithSection& with_section, const WithRow& with_row) 
 /// What stands above a parameter: "# Young's modulus of the intact matrix (E); > 0 and <= 1e7 Pa".
 std::string comment(const Row& row) {
   const std::string symbol = row.symbol.empty() ? "" : fmt::format(" ({})", row.symbol);
-  return fmt::format("# {}{}; {}\n", row.description, symbol, allowed_text(row));
+  return fmt::format("# {}{}; {}\n", description_of(row), symbol, allowed_text(row));
 }
 
 /// Whether a new scenario names the value, and does not only show it in a comment. A usual step is left to follow the
@@ -72,7 +72,7 @@ Json row_schema(const Row& row) {
                                              angle ? "; \"30 deg\", \"30°\" and \"0.5 rad\" are angles as well" : "")
                                : "";
   const Json description =
-      fmt::format("{}{}; {}. Default: {}.{}", row.description, symbol, allowed_text(row), row.source, bare);
+      fmt::format("{}{}; {}. Default: {}.{}", description_of(row), symbol, allowed_text(row), row.source, bare);
   Json schema;
   switch (kind(row)) {
   case Kind::quantity:
@@ -183,7 +183,7 @@ std::string values_text(const Parameters& p) {
       text += fmt::format("{} = {}\n", row.path,
                           row.unit == "rad" // as fingerprints have had it
                               ? fmt::format("{}", std::get<double& (*)(Parameters&)>(row.member)(q))
-                              : value_text(row, p));
+                              : meaning_text(row, p));
     for (const Gone& parameter : gone())
       if (parameter.behind == row.path) text += fmt::format("{} = {}\n", parameter.path, value_of_gone(parameter));
   }
@@ -263,7 +263,7 @@ std::string parameters_markdown() {
       },
       [&](const Row& row) {
         text += fmt::format("| `{}` | `{}` | {} | {} | {} | {} |\n", key_of(row), value_text(row, {}),
-                            cell(allowed_text(row)), cell(row.symbol), cell(row.description),
+                            cell(allowed_text(row)), cell(row.symbol), cell(description_of(row)),
                             cell(short_source(row.source)));
       });
   text += fmt::format("\n## [[cells]] {}\n\n"

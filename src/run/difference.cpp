@@ -94,12 +94,10 @@ std::optional<double> first_difference(const Side& a, const Side& b) {
 
 std::vector<std::array<std::string, 3>> parameters_that_differ(const Parameters& a, const Parameters& b) {
   std::vector<std::array<std::string, 3>> list;
-  const auto note = [&](std::string_view path, std::string left, std::string right) {
-    if (left != right) list.push_back({std::string(path), std::move(left), std::move(right)});
-  };
-  for (const Row& row : schema()) note(row.path, value_text(row, a), value_text(row, b));
+  for (const Row& row : schema())
+    if (differs(row, a, b)) list.push_back({std::string(row.path), value_text(row, a), value_text(row, b)});
   std::ranges::copy(gone_that_differ(a, b), std::back_inserter(list));
-  note("cells", cells_text(a), cells_text(b));
+  if (cells_text(a) != cells_text(b)) list.push_back({"cells", cells_text(a), cells_text(b)});
   return list;
 }
 

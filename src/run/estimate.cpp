@@ -86,7 +86,6 @@ double wall_time(const Parameters& p, double particles) {
 double initiation_rate(const Parameters& p, const State& start) {
   if (start.cells.empty()) return p.protrusion.initiation_rate;
   const std::vector<double> rate = along_cortex(Law("laws.initiation_rate", p), start.cells.front(), start.ecm, p);
-  if (rate.empty()) return p.protrusion.initiation_rate;
   return std::accumulate(rate.begin(), rate.end(), 0.0) / static_cast<double>(rate.size());
 }
 
@@ -161,7 +160,7 @@ std::optional<Quicker> with_longer_steps(const Parameters& p, const Derived& d) 
 
 std::string fault_of_bias(const Parameters& p) {
   const Law bias("laws.initiation_bias", p);
-  if (!bias.changed()) return {};
+  if (!bias.varies() && bias({0.0, 0.0, 0.0, 0.0, 0.0}) > 0.0) return {};
   const State start = initial_state(p);
   if (start.cells.empty()) return {};
   for (const Cell& cell : start.cells)

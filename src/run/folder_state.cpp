@@ -126,9 +126,10 @@ void list_entries(FolderState& state) {
   state.detail = error.message();
 }
 
-std::string bare(std::string text) {
+/// A value without quotes, "none" of an empty text.
+std::string shown(std::string text) {
   std::erase_if(text, [](char c) { return c == '"' || c == '\\'; });
-  return text;
+  return text.empty() ? "none" : text;
 }
 
 /// "  run.duration: 1 h there, 6 min here", a line for each parameter in which the run in a folder differs from p.
@@ -208,7 +209,7 @@ void warn_of_other_files(const fs::path& folder, RunObserver& observer) {
 std::vector<std::string> differences(const Parameters& there, const Parameters& here) {
   std::vector<std::string> all;
   for (const auto& [path, before, now] : parameters_that_differ(there, here))
-    if (path != "run.threads") all.push_back(fmt::format("{}: {} there, {} here", path, bare(before), bare(now)));
+    if (path != "run.threads") all.push_back(fmt::format("{}: {} there, {} here", path, shown(before), shown(now)));
   return all;
 }
 

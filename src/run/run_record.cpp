@@ -4,7 +4,7 @@
 #include "base/file.hpp"
 #include "base/text.hpp"
 #include "parameters/closures.hpp"
-#include "parameters/laws/laws.hpp"
+#include "parameters/laws/law.hpp"
 #include "parameters/schema.hpp"
 #include "parameters/version.hpp"
 #include "parameters/write.hpp"
@@ -247,8 +247,9 @@ std::vector<report::Fact> run_facts(const Parameters& p, const Json& record, con
 
 Json laws_json(const Parameters& p) {
   Json laws = Json::object();
-  for (const Row* law : changed_laws(p)) laws[std::string(law->path)] = Json::parse(value_text(*law, p));
-  if (!laws.empty() && !p.laws.constants.empty()) laws["laws.constants"] = p.laws.constants;
+  for (const Row* law : changed_laws(p)) laws[std::string(law->path)] = Json::parse(meaning_text(*law, p));
+  if (!laws.empty() && !p.laws.constants.empty())
+    laws["laws.constants"] = Json::parse(meaning_text(*find_row("laws.constants"), p));
   return laws;
 }
 

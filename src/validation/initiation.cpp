@@ -27,9 +27,10 @@ First wait(Parameters p, std::uint64_t seed, const Cell& start, const std::vecto
   Cell cell = start;
   Instant now;
   const std::vector<Vec2> n = normals(cell.cortex);
+  const std::vector<double> rate(of_front.size(), p.protrusion.initiation_rate);
   while (cell.protrusions.empty()) {
     ++now.step;
-    initiate(cell, now, p, p.run.time_step, {of_front, n});
+    initiate(cell, now, p, p.run.time_step, {.of_front = of_front, .normals = n, .rate = rate});
   }
   const std::uint32_t centre = cell.protrusions.front().centre;
   const auto before = static_cast<double>(std::count(of_front.begin(), of_front.begin() + centre, 1));

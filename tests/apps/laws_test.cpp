@@ -49,6 +49,25 @@ TEST_F(LawsOfScenarios, StandInTheRecordAndTheReportAndTheIdentity) {
   EXPECT_EQ(record("branch").at("trajectory_hash"), record("stalled").at("trajectory_hash")) << "after a break";
 }
 
+TEST_F(LawsOfScenarios, InOtherWordsAreTheSameRun) {
+  const auto with = [](const std::string& law, const std::string& constants) {
+    return "--quiet --set run.duration='0.002 h' --set 'laws.growth_force=" + law
+           + "' --set 'laws.constants=" + constants + "'";
+  };
+  ASSERT_EQ(run("run cell.toml -o one " + with("max(0, 1 - l/l_s)*n", "l_s = 5 um, n = 1")).code, 0);
+  const Ended again = run("run cell.toml -o one " + with("max(0,1-l / l_s) * n", "n=1.0,l_s = 0.005 mm"));
+  EXPECT_EQ(again.code, 0) << again.out << again.err;
+  ASSERT_EQ(run("run cell.toml -o two " + with("max(0,1-l / l_s) * n", "n=1.0,l_s = 0.005 mm")).code, 0);
+  for (const char* key : {"configuration_hash", "laws", "trajectory_hash"})
+    EXPECT_EQ(record("one").at(key), record("two").at(key)) << key;
+  EXPECT_EQ(record("two").at("laws"),
+            (json{{"laws.growth_force", "max(0, 1 - l/l_s)*n"}, {"laws.constants", "l_s = 5 um, n = 1"}}));
+  EXPECT_EQ(json::parse(run("diff one two --json").out).at("parameters"), json::array());
+  const Ended other = run("run cell.toml -o one " + with("0.5", ""));
+  EXPECT_EQ(other.code, 5);
+  EXPECT_TRUE(contains(other.err, "laws.constants: l_s = 5 um, n = 1 there, none here")) << other.err;
+}
+
 TEST_F(LawsOfScenarios, ABiasOfZeroAllAroundIsNoneAndIsTold) {
   ASSERT_EQ(run("run cell.toml -o unbiased --quiet").code, 0);
   const std::string bias = " --set laws.initiation_bias=0";
@@ -69,12 +88,15 @@ TEST_F(LawsOfScenarios, AreDrawnBesideThoseOfThePaper) {
   EXPECT_TRUE(contains(ended.out, "laws.polarization_rate = \"r_pol*min(1, 0.5/angle)\"\n")) << ended.out;
   EXPECT_TRUE(contains(ended.out, "   0.0011 |***")) << ended.out;
   EXPECT_TRUE(contains(ended.out, "angle = 0 ")) << ended.out;
+  EXPECT_TRUE(contains(ended.out, "\nchecked, on a grid, over angle from 0 to 3.14159 rad\n")) << ended.out;
   const std::string two = run("explain cell.toml --set 'laws.disassembly_rate=1e-3*F*t'").out;
   const std::size_t second = two.find("\nat F = 0.3 nN, f_mat = 0.5:\n");
   EXPECT_LT(two.find("\nat f_mat = 0.5, t = 600 s:\n"), second) << two;
   EXPECT_LT(two.find(" F = 0 "), second) << "a curve over each argument: " << two;
   EXPECT_NE(two.find(" t = 0 ", second), std::string::npos) << two;
+  EXPECT_TRUE(contains(two, "over F from 0 to 10 nN, f_mat from 0.01 to 1, t from 0 to 100000 s\n")) << two;
   const json found = json::parse(run("explain cell.toml --json --set 'laws.polarization_rate=2*r_pol'").out);
+  EXPECT_EQ(found.at("law_ranges").at("laws.polarization_rate").at("angle").at("unit"), "rad");
   EXPECT_EQ(found.at("laws"), (json{{"laws.polarization_rate", "2*r_pol"}}));
 }
 

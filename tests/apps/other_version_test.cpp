@@ -303,6 +303,29 @@ TEST_F(RunOfVersion020, WhatALawSaysNowGoesOn) {
                        "curvature_factor = \"max(0, 1 - abs(kappa - kappa_0)/kappa_w)\""));
 }
 
+/// Names and seeds are those of a program that took a law for its text.
+TEST_F(OtherVersion, RunsOfALawAsItWasTypedAreFound) {
+  const std::string law = "r_c*exp( -F/F_c)";
+  const std::vector<std::string> constants{"r_c = 0.2 1/s, F_c = 50 pN", "r_c = 0.2 1/s, F_c=60 pN"};
+  write("e.toml", "scenario = \"s.toml\"\nreplicates = 1\nreadouts = [\"v_migr_abs_um_per_h\"]\n[set]\n"
+                  "laws.disassembly_rate = \""
+                      + law + "\"\n[sweep]\nlaws.constants = [\"" + constants[0] + "\", \"" + constants[1] + "\"]\n");
+  fs::create_directories(folder / "e-study/runs");
+  const auto make = [&](const std::string& name, const std::string& seed, const std::string& given) {
+    const Ended ended = run("run s.toml --quiet --set 'laws.disassembly_rate=" + law
+                            + "' --set 'laws.constants=" + given + "' --seed " + seed + " -o " + path(name));
+    EXPECT_EQ(ended.code, 0) << ended.err;
+  };
+  make("871a728be6fb8d25", "7737665334164416", constants[0]);
+  make("32cc548fb21516be", "1798389745098024", constants[1]);
+  const Ended again = run("study run e.toml --jobs 1");
+  EXPECT_TRUE(contains(again.out, "2 of 2 runs done, 0 of them now")) << again.out << again.err;
+  EXPECT_EQ(names(), (std::vector<std::string>{"32cc548fb21516be", "871a728be6fb8d25"}));
+  EXPECT_TRUE(contains(file("e-study/results.csv"), ",7737665334164416,done,")) << file("e-study/results.csv");
+  const Ended status = run("study status e-study"); // whose base names constants that only its points give
+  EXPECT_TRUE(contains(status.out, "2 runs: 2 done")) << status.err;
+}
+
 TEST_F(OtherVersion, RunsOfSeveralBuildsAreTold) {
   ASSERT_EQ(run("study run e.toml --jobs 2").code, 0);
   EXPECT_FALSE(contains(run("study collect e-study").out, "builds of matrigrate"));

@@ -3,6 +3,7 @@
 #include "base/failure.hpp"
 #include "parameters/document.hpp"
 #include "parameters/laws/law.hpp"
+#include "parameters/laws/law_names.hpp"
 #include "parameters/read.hpp"
 #include "parameters/write.hpp"
 
@@ -14,15 +15,18 @@
 
 namespace {
 
-/// A law that can be read has a value or stops the run, and its text is written and read back.
+/// A law that can be read has a value or stops the run, means what its meaning does, and is written and read back.
 void evaluate(const matrigrate::Parameters& p, const matrigrate::Row& row) {
   const matrigrate::Law law(row.path, p);
-  if (!law.changed()) return;
+  if (!matrigrate::is_changed(row, p)) return;
   try {
-    const double value = matrigrate::law_variables(row).size() == 1 ? law({0.1}) : law({0.1, 0.5, 3.0});
+    const double value = row.arguments.size() == 1 ? law({0.1}) : law({0.1, 0.5, 3.0});
     if (!matrigrate::in_range(row, value)) std::abort();
   } catch (const matrigrate::NumericalFailure&) { // not allowed there
   }
+  matrigrate::Parameters meant = p;
+  std::get<std::string& (*)(matrigrate::Parameters&)>(row.member)(meant) = matrigrate::law_meaning(row, p);
+  if (matrigrate::differs(row, meant, p)) std::abort();
   if (!matrigrate::same(matrigrate::parse_parameters(matrigrate::to_toml(p), ""), p)) std::abort();
 }
 

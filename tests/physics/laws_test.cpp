@@ -64,7 +64,7 @@ TEST(Laws, OfTheSameNumbersGiveTheSameBits) {
 TEST(Laws, InOtherWordsDifferByRounding) {
   const State plain = migrated_under(under());
   const State s = migrated_under(
-      under({"laws.fibre_stiffness=eps < 0 ? 0 : (eps <= eps_s ? 1 : exp((eps - eps_s)/d_s))",
+      under({"laws.fibre_stiffness=eps > eps_s ? exp((eps - eps_s)/d_s) : eps < 0 ? 0 : 1",
              "laws.curvature_factor=exp(-0.99999999999999*((kappa - kappa_0)/kappa_w)^2)",
              "laws.disassembly_rate=r_off_0*exp(-zeta_diss*F/f_mat) + r_off_min", "laws.initiation_bias=2"}));
   EXPECT_EQ(s.cells[0].initiated, plain.cells[0].initiated);

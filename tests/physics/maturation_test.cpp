@@ -23,7 +23,7 @@ double f_mat_of_an_element(double dt) {
     const double before = F;
     F += (maturing_f_mat(maturing.steps) * p.actomyosin.force - F) * -std::expm1(-dt / tau);
     const Circumstances now{.age = t - protrusion.since, .force = F, .loading = (F - before) / dt, .support = 1.0};
-    const Transition change = transition(protrusion.phase, now, p, dt);
+    const Transition change = transition(protrusion.phase, now, p, dt, Laws(p));
     if (!change.changes) continue;
     if (const auto* contracting = std::get_if<Contracting>(&change.next)) return contracting->f_mat;
     protrusion.phase = change.next;

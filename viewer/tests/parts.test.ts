@@ -5,6 +5,7 @@ import { protrusionRows, tracks } from "../sample/life";
 import { pack, random } from "../sample/pack";
 import { sampleStudy } from "../sample/study";
 import { unpack, valueAt } from "../src/embedded";
+import { nameOf } from "../src/live/laws";
 import { travelled, travelledText } from "../src/live/results";
 import { addTracks, noTracks } from "../src/live/scene";
 import { pretty, pText, readable, roundStep, stars, ticks, timeText } from "../src/numbers";
@@ -31,6 +32,17 @@ test("numbers as people read them", () => {
 
 test("units as they are printed", () => {
   assert.equal(pretty("4.1 and 9.3 um/h, 30 um^2, v_um_per_h"), "4.1 and 9.3 \u00b5m/h, 30 \u00b5m\u00b2, v_um_per_h");
+});
+
+test("laws are called by the first clause of their meaning", () => {
+  const name = (meaning: string, unit: string, ...names: string[]) => nameOf({ path: "", formula: "", meaning, unit, arguments: names });
+  assert.equal(
+    name("Eq. 7: rate at which an adhesion disassembles. Arguments: F: force of the adhesion, 0 to 10 nN; t: time since contraction began, 0 to 100000 s", "1/s", "F", "t"),
+    "Eq. 7: rate at which an adhesion disassembles (F, t), 1/s",
+  );
+  assert.equal(name("Where along the cortex protrusions begin: the rate is multiplied by bias / mean bias, so the total", "", "angle"), "Where along the cortex protrusions begin (angle)");
+  assert.equal(name("Rate [1/s] of degradation around the body; around its rear times body_rear_share", "1/s", "f", "p"), "Rate [1/s] of degradation around the body (f, p), 1/s");
+  assert.equal(name("Rate of 0.5 a turn", "", "angle"), "Rate of 0.5 a turn (angle)");
 });
 
 test("place of a time among frames", () => {

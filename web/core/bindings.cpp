@@ -80,7 +80,7 @@ Json value_json(const Row& row, const Parameters& p) {
 Json changed_json(const Parameters& base, const Parameters& p) {
   Json all = Json::array();
   for (const Row& row : schema())
-    if (value_text(row, base) != value_text(row, p)) all.push_back(value_json(row, p));
+    if (differs(row, base, p)) all.push_back(value_json(row, p));
   return all;
 }
 
@@ -327,10 +327,10 @@ std::string law_list() {
     for (const Row& law : law_rows()) {
       if (kind(law) != Kind::law) continue;
       Json names = Json::array();
-      for (const LawVariable& variable : law_variables(law)) names.push_back(variable.name);
+      for (const LawVariable& argument : law.arguments) names.push_back(argument.name);
       all.push_back({{"path", law.path},
                      {"unit", law.unit == "1" ? "" : law.unit},
-                     {"meaning", law.description},
+                     {"meaning", description_of(law)},
                      {"formula", text_of(law, usual)},
                      {"arguments", names}});
     }

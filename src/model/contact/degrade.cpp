@@ -8,37 +8,15 @@
 
 namespace matrigrate {
 
-namespace {
-
-constexpr double in_pascals = 1000.0; // of a kPa
-
-} // namespace
-
 double degradation_pressure(double distance, double solid_pressure, const Parameters& p, double stiffness) {
   const double of_contact = stiffness * contact_pressure(distance, p);
   return std::max(solid_pressure, of_contact) + p.degradation.smaller_share * std::min(solid_pressure, of_contact);
 }
 
-double degradation_rate(double distance, bool on_protrusion, double solid_pressure, const Parameters& p,
-                        double stiffness, double f, const Laws& laws) {
-  const double reach = on_protrusion ? p.degradation.protrusion_distance : p.degradation.body_distance;
-  if (distance >= reach) return 0.0;
-  const double of_particle = degradation_pressure(distance, solid_pressure, p, stiffness);
-  const Law& law = on_protrusion ? laws.degradation_protrusion : laws.degradation_body;
-  if (law.changed()) return law({f, in_pascals * of_particle});
-  if (of_particle <= p.degradation.threshold) return 0.0;
-  return on_protrusion ? p.degradation.protrusion_rate : p.degradation.body_rate;
+double degradation_rate(const Degradable& e, const Parameters& p, const Law& law) {
+  constexpr double in_pascals = 1000.0; // of a kPa
+  return law({e.f, in_pascals * degradation_pressure(e.distance, e.solid_pressure, p, e.stiffness)});
 }
-
-namespace {
-
-double tip_rate(double f, double distance, double solid_pressure, const Parameters& p, double stiffness,
-                const Law& law) {
-  if (!law.changed()) return p.degradation.tip_rate;
-  return law({f, in_pascals * degradation_pressure(distance, solid_pressure, p, stiffness)});
-}
-
-} // namespace
 
 void degrade(EcmState& ecm, const Parameters& p, std::span<const NearbyParticle> nearby, const DegradingParts& parts,
              std::span<const Vec2> tips, double dt, const Laws& laws) {
@@ -48,14 +26,16 @@ void degrade(EcmState& ecm, const Parameters& p, std::span<const NearbyParticle>
     const std::uint32_t k = e.particle;
     if (ecm.f[k] <= 0.0 || ecm.in_obstacle(k)) continue;
     const double stiffness = ecm.stiffness(k);
+    const Degradable particle{e.distance, pressure(ecm.rho[k], K * stiffness), stiffness, ecm.f[k]};
     const bool on_protrusion = parts.on_protrusion[e.segment] != 0;
-    const double of_solid = pressure(ecm.rho[k], K * stiffness);
-    double rate = degradation_rate(e.distance, on_protrusion, of_solid, p, stiffness, ecm.f[k], laws);
+    const double reach = on_protrusion ? p.degradation.protrusion_distance : p.degradation.body_distance;
+    const Law& law = on_protrusion ? laws.degradation_protrusion : laws.degradation_body;
+    double rate = e.distance < reach ? degradation_rate(particle, p, law) : 0.0;
     if (!on_protrusion && !parts.of_front.empty() && parts.of_front[e.segment] == 0) rate *= p.degradation.rear_share;
     const Vec2 x = ecm.x[k] - 0.5 * dt * ecm.v[k];
     const bool at_tip =
         std::ranges::any_of(tips, [&](const Vec2& tip) { return (x - tip).squaredNorm() < tip_reach2; });
-    if (at_tip) rate = std::max(rate, tip_rate(ecm.f[k], e.distance, of_solid, p, stiffness, laws.degradation_tip));
+    if (at_tip) rate = std::max(rate, degradation_rate(particle, p, laws.degradation_tip));
     if (rate <= 0.0) continue;
     ecm.f[k] = degraded(ecm.f[k], rate, dt);
     if (ecm.f[k] <= 0.0) fluidize(ecm, k);

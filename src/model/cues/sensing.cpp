@@ -56,18 +56,19 @@ double mean_over_angles(const Value& value) {
 double occupancy(double c, double K_d) { return c / (K_d + c); }
 
 std::vector<double> along_cortex(const Law& law, const Cell& cell, const EcmState& ecm, const Parameters& p) {
-  if (!law.changed()) return {};
   const CortexState& c = cell.cortex;
+  std::vector<double> values(c.size());
+  const auto all = [&](double value) {
+    std::ranges::fill(values, value);
+    return values;
+  };
+  if (!law.varies()) return all(law({0.0, 0.0, 0.0, 0.0, 0.0}));
   const Vec2 centre = centre_of_mass(c);
   const bool senses = law.uses("occupancy") || law.uses("ligand") || law.uses("alignment");
   const std::vector<Surroundings> around = senses ? surroundings(c, ecm, p) : std::vector<Surroundings>(c.size());
   const bool all_around = !cell.polarization && law.uses("angle");
-  std::vector<double> values(c.size());
-  if (all_around && !senses && !law.uses("kappa")) {
-    const double mean = mean_over_angles([&](double angle) { return law({angle, 0.0, 0.0, 0.0, 0.0}); });
-    std::ranges::fill(values, mean);
-    return values;
-  }
+  if (all_around && !senses && !law.uses("kappa"))
+    return all(mean_over_angles([&](double angle) { return law({angle, 0.0, 0.0, 0.0, 0.0}); }));
   for (std::size_t i = 0; i < c.size(); ++i) {
     const Vec2 outwards = c.x[i] - centre;
     const double direction = std::atan2(outwards.y(), outwards.x());
@@ -86,7 +87,7 @@ std::vector<double> along_cortex(const Law& law, const Cell& cell, const EcmStat
 
 std::vector<double> propensity(const Cell& cell, const EcmState& ecm, const Parameters& p, const Law& bias) {
   std::vector<double> factor = along_cortex(bias, cell, ecm, p);
-  const double highest = factor.empty() ? 0.0 : std::ranges::max(factor); // so that no sum overflows
+  const double highest = std::ranges::max(factor); // so that no sum overflows
   if (highest <= 0.0) return {};
   double sum = 0.0;
   for (double& a : factor) sum += a /= highest;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "parameters/laws/laws.hpp"
+#include "parameters/laws/law.hpp"
 #include "parameters/parameters.hpp"
 #include "state/state.hpp"
 
@@ -13,17 +13,16 @@ namespace matrigrate {
 /// Share of receptors that bind attractant, c/(K_d + c) [-].   @param c  concentration, >= 0   @param K_d  > 0
 double occupancy(double c, double K_d);
 
-/// A law of initiation that a user has changed, at each particle of the cortex: of its angle to the polarization as
+/// A law of initiation at each particle of the cortex: of its angle to the polarization as
 /// seen from the centre and of its curvature; of the means over the matrix near it (0 without any) of the occupancy of
 /// receptors, of ligand on solid, and of cos 2(its angle - angle of the fibres), the alignment. Before the first
-/// protrusion there is no polarization: then it is the mean over all angles. Empty if the law is that of the paper.
+/// protrusion there is no polarization: then it is the mean over all angles.
 std::vector<double> along_cortex(const Law& law, const Cell& cell, const EcmState& ecm, const Parameters& p);
 
 /// Factor of each particle on the rate of initiation: the bias over its mean along the cortex, so that a cell that is
-/// all front begins as many protrusions as without. Empty, which is a factor of 1, if the bias is that of the paper, or
-/// 0 along the whole cortex [-].
+/// all front begins as many protrusions as without. Empty, a factor of 1, if the bias is 0 along the whole cortex
+/// [-].
 /// @param bias  laws.initiation_bias
-std::vector<double> propensity(const Cell& cell, const EcmState& ecm, const Parameters& p,
-                               const Law& bias = usual_laws().initiation_bias);
+std::vector<double> propensity(const Cell& cell, const EcmState& ecm, const Parameters& p, const Law& bias);
 
 } // namespace matrigrate

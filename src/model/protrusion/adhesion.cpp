@@ -17,14 +17,6 @@ double adhesion_force(double length, const AdhesionParameters& p) {
   return p.stiffness * std::max(0.0, length - p.rest_length);
 }
 
-double disassembly_rate(double F, double f_mat, const AdhesionParameters& p) {
-  return p.r_off_min + p.r_off_0 * std::exp(-p.zeta_diss * F / f_mat);
-}
-
-double disassembly_rate(double F, double f_mat, double t, const AdhesionParameters& p, const Law& law) {
-  return law.changed() ? law({F, f_mat, t}) : disassembly_rate(F, f_mat, p);
-}
-
 double mature_pull(double f_mat, const Parameters& p) {
   constexpr double strands = 2.0;
   return strands * f_mat * p.actomyosin.force;

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "parameters/laws/law.hpp"
 #include "parameters/parameters.hpp"
 #include "solve/drag_system.hpp"
 #include "sph/interpolate.hpp"
@@ -17,17 +16,6 @@ namespace matrigrate {
 
 /// Force of an adhesion spring, tension only: k_ad max(0, L - l_0,adh) [nN].   @param length  L [um]
 double adhesion_force(double length, const AdhesionParameters& p);
-
-/// Rate at which an adhesion disassembles, Heck et al. 2020, Eq. (7), without rupture:
-///   r_off = r_off_min + r_off_0 exp(-zeta_diss F / f_mat)
-/// @param F      force of the adhesion            [nN]  >= 0
-/// @param f_mat  maturation of its protrusion     [-]   in (0, 1]
-/// @return       [1/s]
-/// Limits: F -> 0 gives r_off_min + r_off_0; falls with F towards r_off_min.
-double disassembly_rate(double F, double f_mat, const AdhesionParameters& p);
-
-/// The same of a law that a user may have changed.   @param t  since contraction began [s]
-double disassembly_rate(double F, double f_mat, double t, const AdhesionParameters& p, const Law& law);
 
 /// 2 f_mat F_am, which Eqs. (7) and (9) take: the full pull of both strands (MODEL.md, I28) [nN].
 double mature_pull(double f_mat, const Parameters& p);

@@ -41,20 +41,12 @@ Vec2 growth_force(const Vec2& direction, const Vec2& normal, const ProtrusionPar
   return p.force / (2.0 * p.tip_half_width + 1.0) * std::max(0.0, normal.dot(direction)) * direction;
 }
 
-double area_factor(double area, const ProtrusionParameters& p) { return p.number > 0 && area > 1.0 ? 1.0 / area : 1.0; }
-
-double growth_factor(const Cell& cell, const Protrusion& protrusion, double area, double t,
-                     const ProtrusionParameters& p, const Law& law) {
-  if (!law.changed()) return area_factor(area, p);
-  return law({area, protrusion_length(cell.cortex, protrusion.centre, p), t - protrusion.since});
-}
-
 void add_growth(const Cell& cell, const ProtrusionParameters& p, double area, std::span<const Vec2> normals,
                 std::uint32_t first, std::span<Vec2> force, double t, const Law& law) {
   for (const Protrusion& protrusion : cell.protrusions) {
     const auto* growing = std::get_if<Growing>(&protrusion.phase);
     if (growing == nullptr) continue;
-    const double factor = growth_factor(cell, protrusion, area, t, p, law);
+    const double factor = law({area, protrusion_length(cell.cortex, protrusion.centre, p), t - protrusion.since});
     for (const std::size_t i : pushing_particles(cell.cortex, protrusion.centre, p))
       force[first + i] += factor * growth_force(growing->direction, normals[i], p);
   }

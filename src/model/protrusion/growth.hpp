@@ -1,6 +1,6 @@
 #pragma once
 
-#include "parameters/laws/laws.hpp"
+#include "parameters/laws/law.hpp"
 #include "parameters/parameters.hpp"
 #include "solve/drag_system.hpp"
 #include "state/cell.hpp"
@@ -21,23 +21,14 @@ std::vector<std::size_t> pushing_particles(const CortexState& c, std::size_t cen
 /// @param direction  d_prot, unit vector   @param normal  outward unit normal of the particle
 Vec2 growth_force(const Vec2& direction, const Vec2& normal, const ProtrusionParameters& p);
 
-/// Share of the growth force that is left where the cell's area exceeds that of the round cell, Heck et al. 2020,
-/// Eq. (10): ||F_prot|| = F_prot A_0/A for A >= A_0. Without an enforced number of protrusions always 1 [-].
-/// @param area  of the cell over A_0 [-]
-double area_factor(double area, const ProtrusionParameters& p);
-
-/// The same of a law that a user may have changed, which knows length and age of the protrusion as well.
-/// @param t  now [s]
-double growth_factor(const Cell& cell, const Protrusion& protrusion, double area, double t,
-                     const ProtrusionParameters& p, const Law& law);
-
 /// Adds the growth forces of all growing protrusions.
 /// @param area     of the cell over A_0 [-]
 /// @param normals  outward unit normals of the cortex particles
 /// @param force    of all nodes [nN]
 /// @param t        now [s]
+/// @param law      laws.growth_force, Eq. (10)
 void add_growth(const Cell& cell, const ProtrusionParameters& p, double area, std::span<const Vec2> normals,
-                std::uint32_t first, std::span<Vec2> force, double t = 0.0, const Law& law = usual_laws().growth_force);
+                std::uint32_t first, std::span<Vec2> force, double t, const Law& law);
 
 /// Lets the particles on either flank of growing protrusions slide along the contour towards equal spacing for dt, so
 /// that the stretch does not gather at the tip. The centre stays at the tip, the first and last particle at the base.

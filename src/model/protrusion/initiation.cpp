@@ -6,6 +6,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <vector>
 
 namespace matrigrate {
 
@@ -43,10 +45,8 @@ bool may_begin(const CortexState& c, std::size_t i, std::span<const int> of_part
 }
 
 void initiate_at_a_rate(Cell& cell, const Instant& now, const Parameters& p, double dt, const Outline& outline) {
-  const auto probability = [&, usual = event_probability(p.protrusion.initiation_rate, dt)](std::size_t i) {
-    if (outline.propensity.empty() && outline.rate.empty()) return usual;
-    const double rate = outline.rate.empty() ? p.protrusion.initiation_rate : outline.rate[i];
-    return event_probability((outline.propensity.empty() ? 1.0 : outline.propensity[i]) * rate, dt);
+  const auto probability = [&](std::size_t i) {
+    return event_probability((outline.propensity.empty() ? 1.0 : outline.propensity[i]) * outline.rate[i], dt);
   };
   std::vector<int> of_particle = membership(cell, p).of_particle;
   for (std::size_t i = 0; i < cell.cortex.size(); ++i) {
@@ -59,15 +59,19 @@ void initiate_at_a_rate(Cell& cell, const Instant& now, const Parameters& p, dou
   }
 }
 
-/// How likely a particle is a candidate, front or rear.
-double likelihood(const Outline& outline, std::size_t i) {
-  return (outline.propensity.empty() ? 1.0 : outline.propensity[i]) * (outline.rate.empty() ? 1.0 : outline.rate[i]);
+/// How likely each particle is a candidate, front or rear. A rate that is the same for all tells none from another.
+std::vector<double> likelihoods(const Outline& outline) {
+  const bool even = std::ranges::adjacent_find(outline.rate, std::not_equal_to<>()) == outline.rate.end();
+  std::vector<double> all(outline.rate.size(), 1.0);
+  for (std::size_t i = 0; i < all.size(); ++i)
+    all[i] = (outline.propensity.empty() ? 1.0 : outline.propensity[i]) * (even ? 1.0 : outline.rate[i]);
+  return all;
 }
 
 /// The particle that a uniform draw falls on, each with the weight of front or rear times its likelihood.
-std::size_t candidate(const Outline& outline, double rear_share, double draw) {
-  const std::span<const std::uint8_t> of_front = outline.of_front;
-  const auto weight = [&](std::size_t i) { return (of_front[i] ? 1.0 : rear_share) * likelihood(outline, i); };
+std::size_t candidate(std::span<const std::uint8_t> of_front, std::span<const double> likely, double rear_share,
+                      double draw) {
+  const auto weight = [&](std::size_t i) { return (of_front[i] ? 1.0 : rear_share) * likely[i]; };
   double sum = 0.0;
   for (std::size_t i = 0; i < of_front.size(); ++i) sum += weight(i);
   double left = draw * sum;
@@ -86,8 +90,9 @@ void keep_up_number(Cell& cell, const Instant& now, const Parameters& p, double 
   for (std::uint64_t n = candidates_until(now.t - dt, p.protrusion) + 1; n <= last; ++n) {
     if (cell.protrusions.size() >= static_cast<std::size_t>(p.protrusion.number)) return;
     const double draw = uniform(p.run.seed, Purpose::initiation, n, 0, cell.id);
-    const std::size_t i = candidate(outline, p.protrusion.rear_share, draw);
-    if (likelihood(outline, i) <= 0.0) continue; // of all particles
+    const std::vector<double> likely = likelihoods(outline);
+    const std::size_t i = candidate(outline.of_front, likely, p.protrusion.rear_share, draw);
+    if (likely[i] <= 0.0) continue; // of all particles
     if (may_begin(cell.cortex, i, membership(cell, p).of_particle, outline, p.protrusion))
       begin_protrusion(cell, i, outline.centre, now.t, p.protrusion);
   }

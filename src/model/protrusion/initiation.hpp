@@ -20,8 +20,8 @@ struct Outline {
   std::span<const Vec2> normals;          ///< outward unit normals of the particles
   Vec2 centre = Vec2::Zero();             ///< centre of mass of the cell [um]
   double area = 1.0;                      ///< over A_0; matters with an enforced number [-]
+  std::span<const double> rate;           ///< of each particle [1/s]
   std::span<const double> propensity{};   ///< factor of each particle on its rate, >= 0; empty: 1 for all [-]
-  std::span<const double> rate{};         ///< of each particle; empty: r_prot for all [1/s]
 };
 
 /// Share of the growth force that the tip of a protrusion around particle i would feel: the mean of max(0, n . d_prot)
@@ -37,10 +37,10 @@ void begin_protrusion(Cell& cell, std::size_t i, const Vec2& centre, double t, c
 /// centre of mass towards the particle. The first of all sets the polarization.
 ///
 /// With an enforced number (protrusion.number > 0) instead one candidate in each candidate_interval of model time,
-/// whatever the step, is drawn among all particles, each as likely as its propensity times its rate, rear ones
-/// rear_share times as likely; it initiates if it has room and faces its direction, fewer than that number live, and
-/// the cell's area is no more than area_limit A_0 (Heck et al. 2020, section on the number of protrusions; MODEL.md,
-/// I27).
+/// whatever the step, is drawn among all particles, each as likely as its propensity, and times its rate where rates
+/// differ, rear ones rear_share times as likely; it initiates if it has room and faces its direction, fewer than that
+/// number live, and the cell's area is no more than area_limit A_0 (Heck et al. 2020, section on the number of
+/// protrusions; MODEL.md, I27).
 /// @param now  the end of the step of dt
 void initiate(Cell& cell, const Instant& now, const Parameters& p, double dt, const Outline& outline);
 

@@ -57,7 +57,7 @@ struct Table {
     const Finishing finishing{phase.f_mat};
     if (lost()) return to(finishing, EndCause::lost);
     if (phase.bundle <= 0.0 && ruptures(now.force, phase.f_mat, p)) return to(finishing, EndCause::rupture);
-    const double rate = disassembly_rate(now.force, phase.f_mat, now.age, p.adhesion, laws.disassembly_rate);
+    const double rate = laws.disassembly_rate({now.force, phase.f_mat, now.age});
     if (now.draw < event_probability(rate, dt)) return to(finishing, EndCause::disassembly);
     const Contracting next = handed_over(phase, now.force, p, dt);
     if (next.bundle == phase.bundle && next.falling == phase.falling) return {};

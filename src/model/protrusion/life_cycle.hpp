@@ -1,6 +1,6 @@
 #pragma once
 
-#include "parameters/laws/laws.hpp"
+#include "parameters/laws/law.hpp"
 #include "parameters/parameters.hpp"
 #include "state/state.hpp"
 
@@ -37,11 +37,10 @@ struct Transition {
 ///   Maturing     force >= step_force(), at rest      -> Maturing, one step on
 ///   Contracting  anchor's support gone               -> Finishing (lost)
 ///   Contracting  ruptures(), bundle has given way    -> Finishing (rupture)
-///   Contracting  draw < 1 - exp(-r_off dt)           -> Finishing (disassembly)
+///   Contracting  draw < 1 - exp(-r_off dt), Eq. (7)  -> Finishing (disassembly)
 ///   Contracting  load above that of the handover     -> Contracting, with a weaker bundle
 ///   Finishing    age >= T_finish                     -> free
-Transition transition(const Phase& phase, const Circumstances& now, const Parameters& p, double dt,
-                      const Laws& laws = usual_laws());
+Transition transition(const Phase& phase, const Circumstances& now, const Parameters& p, double dt, const Laws& laws);
 
 /// Circumstances of a protrusion of a cell after a step of dt, with its draw.   @param now  the end of the step
 Circumstances circumstances(const Cell& cell, const Protrusion& protrusion, const EcmState& ecm, const Instant& now,
@@ -50,6 +49,6 @@ Circumstances circumstances(const Cell& cell, const Protrusion& protrusion, cons
 /// Lets every protrusion of a cell make its transition; those that end move to cell.ended. Rest lengths become the
 /// lengths at the end of growth and of maturation.   @param now  the end of the step of dt
 void update_protrusions(Cell& cell, const EcmState& ecm, const Instant& now, const Parameters& p, double dt,
-                        const Laws& laws = usual_laws());
+                        const Laws& laws);
 
 } // namespace matrigrate

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "parameters/laws/laws.hpp"
+#include "parameters/laws/law.hpp"
 #include "parameters/parameters.hpp"
 #include "state/cell.hpp"
 
@@ -14,13 +14,11 @@ namespace matrigrate {
 /// @param centre  centre of mass of the cell [um]
 std::optional<double> adhesion_direction(const Cell& cell, const Vec2& centre);
 
-/// The angle after dt of turning towards `target`, the shorter way: at r_pol times the angle between them [rad]. A law
-/// that a user has changed gives the rate for the angle as it is.
-double turned(double angle, double target, double dt, const PolarizationParameters& p,
-              const Law& law = usual_laws().polarization_rate);
+/// The angle after dt of turning towards `target`, the shorter way: at the rate of the law, for the angle as it is,
+/// times the angle between them [rad].   @param law  laws.polarization_rate
+double turned(double angle, double target, double dt, const Law& law);
 
 /// Turns d_pol for dt.
-void polarize(Cell& cell, const PolarizationParameters& p, const Vec2& centre, double dt,
-              const Law& law = usual_laws().polarization_rate);
+void polarize(Cell& cell, const Vec2& centre, double dt, const Law& law);
 
 } // namespace matrigrate

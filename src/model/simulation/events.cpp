@@ -67,15 +67,15 @@ bool advance_protrusions(Cell& cell, const EcmState& ecm, const Instant& now, co
   const std::vector<Vec2> n = normals(cell.cortex);
   deflect(cell, ecm, p, dt, n, [&](const Vec2& point) { return contains(cell.cortex, point); });
   update_protrusions(cell, ecm, now, p, dt, laws);
-  polarize(cell, p.polarization, centre, dt, laws.polarization_rate);
+  polarize(cell, centre, dt, laws.polarization_rate);
   const std::vector<std::uint8_t> of_front = front_of(cell);
   const std::vector<double> bias = propensity(cell, ecm, p, laws.initiation_bias);
   const std::vector<double> propensity_with_cues = product(bias, given);
   const std::vector<double> rate = along_cortex(laws.initiation_rate, cell, ecm, p);
   initiate(cell, now, p, dt,
-           {of_front, n, centre, area(cell.cortex) / initial_area(p.cell), propensity_with_cues, rate});
+           {of_front, n, centre, area(cell.cortex) / initial_area(p.cell), rate, propensity_with_cues});
   ratchet_rest_lengths(cell.cortex, p.cell, membership(cell, p).soft);
-  return laws.initiation_bias.changed() && bias.empty();
+  return bias.empty();
 }
 
 void require_inside(const State& s, const Parameters& p) {

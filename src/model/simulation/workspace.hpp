@@ -7,7 +7,7 @@
 #include "ecm/loop/fibres.hpp"
 #include "ecm/loop/stress.hpp"
 #include "ecm/reference.hpp"
-#include "parameters/laws/laws.hpp"
+#include "parameters/laws/law.hpp"
 #include "parameters/parameters.hpp"
 #include "protrusion/membership.hpp"
 #include "simulation/step_limits.hpp"

@@ -20,6 +20,7 @@ using units::Dimension;
 struct Known {
   Dimension dimension;
   bool certain = true;
+  int pascals = 0; ///< the exponent of Pa in the unit of its number, in thousandths
 };
 
 constexpr std::array same_as_argument{"abs", "rint", "floor", "ceil"};
@@ -27,18 +28,31 @@ constexpr std::array alike{"min", "max", "sum", "avg", "mod"};
 
 bool is_one_of(const auto& names, const std::string& name) { return std::ranges::find(names, name) != names.end(); }
 
-Dimension power(const Dimension& of, double exponent) {
+Known power(const Known& of, double exponent) {
   const auto times = [exponent](int thousandths) { return static_cast<int>(exponent * thousandths); };
-  return {times(of.length), times(of.time), times(of.force), times(of.angle)};
+  const Dimension& d = of.dimension;
+  return {{times(d.length), times(d.time), times(d.force), times(d.angle)}, of.certain, times(of.pascals)};
 }
 
-Dimension product(const Dimension& a, const Dimension& b, int sign) {
-  return {a.length + sign * b.length, a.time + sign * b.time, a.force + sign * b.force, a.angle + sign * b.angle};
+Known product(const Known& of, const Known& with, int sign) {
+  const Dimension& a = of.dimension;
+  const Dimension& b = with.dimension;
+  return {{a.length + sign * b.length, a.time + sign * b.time, a.force + sign * b.force, a.angle + sign * b.angle},
+          of.certain && with.certain,
+          of.pascals + sign * with.pascals};
 }
 
 std::string said(const Dimension& dimension) {
   return dimension == Dimension{} ? "a number without a unit" : units::to_string(dimension);
 }
+
+/// The unit of a number in a formula.
+std::string unit_of(const Known& known) {
+  const std::string unit = formula_unit(known.dimension, known.pascals);
+  return unit.empty() ? "a number without a unit" : "in " + unit;
+}
+
+constexpr const char* factor = "; 1 Pa is 1e-3 nN/um^2: write the factor out";
 
 class Units {
 public:
@@ -51,7 +65,7 @@ public:
       return {{}, false};
     case Part::Kind::name: {
       const std::optional<Dimension> named = m_of_name(part.text);
-      return named ? Known{*named, true} : Known{{}, false};
+      return named ? Known{*named, true, pascals_in(*named)} : Known{{}, false};
     }
     case Part::Kind::prefix:
       return part.text == "-" ? of(part.parts[0]) : Known{};
@@ -71,6 +85,9 @@ private:
     if (first.certain && second.certain && first.dimension != second.dimension)
       throw std::invalid_argument(fmt::format("at character {}: {} is {}, but {} is {}", whole.at, written(a),
                                               said(first.dimension), written(b), said(second.dimension)));
+    if (first.certain && second.certain && first.pascals != second.pascals)
+      throw std::invalid_argument(fmt::format("at character {}: {} is {}, but {} is {}{}", whole.at, written(a),
+                                              unit_of(first), written(b), unit_of(second), factor));
     return first.certain ? first : second;
   }
 
@@ -79,6 +96,9 @@ private:
     if (known.certain && known.dimension != Dimension{})
       throw std::invalid_argument(fmt::format("at character {}: {} is {}, but {} takes a number without a unit",
                                               of_part.at, written(of_part), said(known.dimension), taken_by));
+    if (known.certain && known.pascals != 0)
+      throw std::invalid_argument(fmt::format("at character {}: {} is {}, but {} takes a number without a unit{}",
+                                              of_part.at, written(of_part), unit_of(known), taken_by, factor));
   }
 
   Known of_infix(const Part& part) const {
@@ -86,10 +106,7 @@ private:
     const Part& b = part.parts[1];
     if (part.text == "^") return of_power(a, b);
     if (part.text == "+" || part.text == "-") return agreeing(part, a, b);
-    if (part.text == "*" || part.text == "/") {
-      const Known first = of(a), second = of(b);
-      return {product(first.dimension, second.dimension, part.text == "*" ? 1 : -1), first.certain && second.certain};
-    }
+    if (part.text == "*" || part.text == "/") return product(of(a), of(b), part.text == "*" ? 1 : -1);
     if (is_comparison(part)) {
       agreeing(part, a, b);
     } else {
@@ -102,19 +119,16 @@ private:
   Known of_power(const Part& base, const Part& exponent) const {
     require_number(exponent, "an exponent");
     const Known known = of(base);
-    if (known.dimension == Dimension{}) return known;
+    if (known.dimension == Dimension{} && known.pascals == 0) return known;
     const bool negative = exponent.kind == Part::Kind::prefix && exponent.text == "-";
     const Part& size = negative ? exponent.parts[0] : exponent;
     if (size.kind != Part::Kind::number) return {{}, false};
     const double number = std::strtod(size.text.c_str(), nullptr);
-    return {power(known.dimension, negative ? -number : number), known.certain};
+    return power(known, negative ? -number : number);
   }
 
   Known of_call(const Part& part) const {
-    if (part.text == "sqrt") {
-      const Known known = of(part.parts[0]);
-      return {power(known.dimension, 0.5), known.certain};
-    }
+    if (part.text == "sqrt") return power(of(part.parts[0]), 0.5);
     if (is_one_of(same_as_argument, part.text)) return of(part.parts[0]);
     if (is_one_of(alike, part.text)) {
       Known found = of(part.parts[0]);
@@ -137,11 +151,36 @@ private:
 
 } // namespace
 
+int pascals_in(const Dimension& dimension) { return dimension.length == -2 * dimension.force ? dimension.force : 0; }
+
+std::string formula_unit(const Dimension& dimension, int pascals) {
+  constexpr int one = 1000;
+  std::string over, under;
+  const auto add = [&](std::string_view symbol, int exponent) {
+    if (exponent == 0) return;
+    const int size = std::abs(exponent);
+    const std::string with = size == one ? std::string(symbol) : fmt::format("{}^{:g}", symbol, size / 1000.0);
+    if (exponent < 0)
+      under += "/" + with;
+    else
+      over += (over.empty() ? "" : " ") + with;
+  };
+  add("Pa", pascals);
+  add("nN", dimension.force - pascals);
+  add("um", dimension.length + 2 * pascals);
+  add("s", dimension.time);
+  add("rad", dimension.angle);
+  return over.empty() && !under.empty() ? "1" + under : over + under;
+}
+
 std::string fault_of_units(const Part& whole, const DimensionOf& of_name, const Dimension& wanted) {
   try {
     const Known known = Units(of_name).of(whole);
-    if (!known.certain || known.dimension == wanted) return {};
-    return fmt::format("is {}, but {} is wanted", said(known.dimension), said(wanted));
+    if (!known.certain) return {};
+    if (known.dimension != wanted) return fmt::format("is {}, but {} is wanted", said(known.dimension), said(wanted));
+    const Known right{wanted, true, pascals_in(wanted)};
+    if (known.pascals == right.pascals) return {};
+    return fmt::format("is {}, but is to be {}{}", unit_of(known), unit_of(right), factor);
   } catch (const std::invalid_argument& error) {
     return fmt::format("mixes units {}", error.what());
   }

@@ -1,11 +1,11 @@
 #include "parameters/laws/law_values.hpp"
 
 #include "parameters/laws/law.hpp"
+#include "parameters/laws/law_names.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdlib>
 #include <stdexcept>
@@ -42,38 +42,19 @@ std::vector<double> numbers_in(const fields::FormulaTree& tree, std::span<const 
   return numbers;
 }
 
-/// Where a law is judged over one variable: evenly from bound to bound, at its usual value, and at the numbers of the
+/// Where a law is judged over one argument: evenly from bound to bound, at its usual value, and at the numbers of the
 /// formula, where poles and jumps may be.
-std::vector<double> axis(const LawVariable& variable, std::size_t points, const std::vector<double>& numbers) {
-  std::vector<double> all{variable.usual};
+std::vector<double> axis(const LawVariable& argument, std::size_t points, const std::vector<double>& numbers) {
+  std::vector<double> all{argument.usual};
   for (std::size_t k = 0; k < points; ++k)
-    all.push_back(variable.low
-                  + (variable.high - variable.low) * static_cast<double>(k) / static_cast<double>(points - 1));
+    all.push_back(argument.low
+                  + (argument.high - argument.low) * static_cast<double>(k) / static_cast<double>(points - 1));
   for (const double number : numbers)
     for (const double at : {number, -number})
-      if (at >= variable.low && at <= variable.high) all.push_back(at);
+      if (at >= argument.low && at <= argument.high) all.push_back(at);
   std::ranges::sort(all);
   all.erase(std::unique(all.begin(), all.end()), all.end());
   return all;
-}
-
-/// Where cells usually are: a law is drawn there.
-struct Stretch {
-  std::string_view name;
-  double low;
-  double high;
-};
-
-constexpr std::array drawn{Stretch{"F", 0.0, 1.5},      Stretch{"kappa", -1.0, 1.0}, Stretch{"eps", -0.1, 0.3},
-                           Stretch{"A", 0.5, 3.0},      Stretch{"l", 0.0, 40.0},     Stretch{"t", 0.0, 3600.0},
-                           Stretch{"p", -100.0, 500.0}, Stretch{"ligand", 0.0, 2.0}};
-
-LawVariable as_drawn(LawVariable variable) {
-  const auto found = std::ranges::find(drawn, variable.name, &Stretch::name);
-  if (found == drawn.end()) return variable;
-  variable.low = found->low;
-  variable.high = found->high;
-  return variable;
 }
 
 /// Calls visit(arguments) at all points of a grid until it returns false.
@@ -90,6 +71,23 @@ void over_grid(const std::vector<std::vector<double>>& axes, const Visit& visit)
   }
 }
 
+std::vector<bool> used_by(const fields::Expression& formula, const Row& law) {
+  std::vector<bool> used;
+  for (std::size_t k = 0; k < law.arguments.size(); ++k) used.push_back(formula.uses(k));
+  return used;
+}
+
+/// The points of each argument at which a law is judged.
+std::vector<std::vector<double>> grid(const Row& law, const std::vector<bool>& used, std::vector<double> numbers) {
+  const auto count = static_cast<double>(std::ranges::count(used, true));
+  if (count > 2) numbers.clear(); // the grid would be too large
+  const auto points = 2 * static_cast<std::size_t>(0.4 * std::pow(most_points, 1.0 / std::max(1.0, count))) + 1;
+  std::vector<std::vector<double>> axes;
+  for (std::size_t k = 0; k < law.arguments.size(); ++k)
+    axes.push_back(used[k] ? axis(law.arguments[k], points, numbers) : std::vector<double>{law.arguments[k].usual});
+  return axes;
+}
+
 } // namespace
 
 std::vector<double> law_numbers(const Row& law, const Parameters& p) {
@@ -98,28 +96,6 @@ std::vector<double> law_numbers(const Row& law, const Parameters& p) {
   for (std::size_t k = 0; k < count; ++k) all.push_back(-all[k]);
   return all;
 }
-
-namespace {
-
-std::vector<bool> used_by(const fields::Expression& formula, const Row& law) {
-  std::vector<bool> used;
-  for (std::size_t k = 0; k < law_variables(law).size(); ++k) used.push_back(formula.uses(k));
-  return used;
-}
-
-/// The points of each variable at which a law is judged.
-std::vector<std::vector<double>> grid(const Row& law, const std::vector<bool>& used, std::vector<double> numbers) {
-  const auto count = static_cast<double>(std::ranges::count(used, true));
-  if (count > 2) numbers.clear(); // the grid would be too large
-  const auto points = 2 * static_cast<std::size_t>(0.4 * std::pow(most_points, 1.0 / std::max(1.0, count))) + 1;
-  const auto variables = law_variables(law);
-  std::vector<std::vector<double>> axes;
-  for (std::size_t k = 0; k < variables.size(); ++k)
-    axes.push_back(used[k] ? axis(variables[k], points, numbers) : std::vector<double>{variables[k].usual});
-  return axes;
-}
-
-} // namespace
 
 std::vector<std::string> steady_comparisons(const Parameters& p, const Row& law) {
   const fields::Expression whole = law_formula(law, p, text_of(law, p));
@@ -139,9 +115,9 @@ std::vector<std::string> steady_comparisons(const Parameters& p, const Row& law)
     if (some && !all) return;
     std::string where;
     for (std::size_t k = 0; k < used.size(); ++k)
-      if (const LawVariable& v = law_variables(law)[k]; used[k])
-        where += fmt::format("{}{} from {:g} to {:g}{}{}", where.empty() ? "" : ", ", v.name, v.low, v.high,
-                             v.unit.empty() ? "" : " ", v.unit);
+      if (used[k])
+        where +=
+            fmt::format("{}{} from {}", where.empty() ? "" : ", ", law.arguments[k].name, range_text(law.arguments[k]));
     found.push_back(fmt::format("{}, at character {}, {} wherever the law is judged ({}, on a grid)",
                                 fields::written(part), part.at, all ? "holds" : "does not hold", where));
   });
@@ -149,9 +125,7 @@ std::vector<std::string> steady_comparisons(const Parameters& p, const Row& law)
 }
 
 std::string fault_of_law_values(const Parameters& p, const Row& law) {
-  if (!is_changed(law, p) || !fault_of_constants(p).empty() || !fault_of_law(p, law).empty()) return {};
-  const std::string& text = text_of(law, p);
-  const fields::Expression formula = law_formula(law, p, text);
+  const fields::Expression formula = law_formula(law, p, text_of(law, p));
   if (!formula.tree().chained.empty()) return formula.tree().chained;
   const std::vector<bool> used = used_by(formula, law);
   const std::vector<std::vector<double>> axes = grid(law, used, numbers_in(formula.tree(), law_names(p)));
@@ -166,41 +140,33 @@ std::string fault_of_law_values(const Parameters& p, const Row& law) {
     }
     return std::isfinite(value);
   });
-  if (worst.empty()) return law_unit_fault(law, p, formula);
+  if (worst.empty())
+    return fault_of_units(formula.tree().whole, law_dimensions(law, p), units::parse_unit(law.unit).dimension);
   const double value = formula.at(worst);
   const std::string place = std::isfinite(value) ? "" : place_of_fault(law, p, formula.tree(), worst);
   return law_fault(law, value, law_arguments(law, worst, used) + place);
 }
 
-std::vector<LawCurve> law_curves(const Parameters& p, const Row& law, std::size_t points) {
-  const fields::Expression changed = law_formula(law, p, text_of(law, p));
-  const fields::Expression usual = law_formula(law, p, usual_text(law));
-  const auto variables = law_variables(law);
-  std::vector<std::size_t> drawn_over;
-  for (const fields::Expression* formula : {&changed, &usual})
-    for (std::size_t k = 0; k < variables.size() && (formula == &changed || drawn_over.empty()); ++k)
-      if (formula->uses(k)) drawn_over.push_back(k);
-  if (drawn_over.empty()) drawn_over.push_back(0);
-  std::vector<LawCurve> curves;
-  for (const std::size_t over : drawn_over) {
-    LawCurve curve{.over = as_drawn(variables[over]), .at = {}, .x = {}, .usual = {}, .changed = {}};
-    std::vector<double> arguments;
-    std::vector<bool> held;
-    for (std::size_t k = 0; k < variables.size(); ++k) {
-      arguments.push_back(variables[k].usual);
-      held.push_back(k != over && (changed.uses(k) || usual.uses(k)));
-    }
-    if (std::ranges::find(held, true) != held.end()) curve.at = law_arguments(law, arguments, held);
-    for (std::size_t k = 0; k < points; ++k) {
-      const double share = static_cast<double>(k) / static_cast<double>(points - 1);
-      arguments[over] = curve.over.low + (curve.over.high - curve.over.low) * share;
-      curve.x.push_back(arguments[over]);
-      curve.usual.push_back(usual.at(arguments));
-      curve.changed.push_back(changed.at(arguments));
-    }
-    curves.push_back(std::move(curve));
-  }
-  return curves;
+std::string values_rule(const Row& row) { return fmt::format("the values of {} are allowed", row.path); }
+
+std::vector<std::string_view> keys_of_law(const Row& law) {
+  std::vector<std::string_view> keys{law.path, "laws.constants"};
+  for (const Row& row : schema())
+    if (!row.symbol.empty() && section_of(row) != "run") keys.push_back(row.path);
+  return keys;
+}
+
+std::vector<Rule> rules_of_law_values() {
+  std::vector<Rule> rules;
+  for (const Row& law : law_rows())
+    if (kind(law) == Kind::law)
+      rules.push_back({values_rule(law),
+                       keys_of_law(law),
+                       [&law](const Parameters& p) { return fault_of_law_values(p, law); },
+                       {readable_rule(law)},
+                       [&law](const Parameters& p) { return is_changed(law, p); },
+                       true});
+  return rules;
 }
 
 } // namespace matrigrate

@@ -22,8 +22,7 @@ Json settings_of(const Parameters& p) {
   Json settings = Json::object();
   for (const Row& row : schema()) {
     if (row.path == "run.seed" || row.path == "run.threads") continue;
-    const std::string value = value_text(row, p);
-    if (value != value_text(row, Parameters())) settings[std::string(row.path)] = bare(value);
+    if (differs(row, p, Parameters())) settings[std::string(row.path)] = bare(value_text(row, p));
   }
   if (!p.cells.empty()) settings["cells"] = cells_text(p);
   return settings;

@@ -1,6 +1,6 @@
 #include "report/run_page.hpp"
 
-#include "parameters/laws/laws.hpp"
+#include "parameters/laws/law_curves.hpp"
 #include "parameters/schema.hpp"
 #include "report/film_json.hpp"
 #include "tables/csv.hpp"
@@ -130,7 +130,7 @@ Json changed_parameters(const Parameters& p) {
   const Parameters defaults;
   Json list = Json::array();
   for (const Row& row : schema())
-    if (value_text(row, p) != value_text(row, defaults))
+    if (differs(row, p, defaults))
       list.push_back({{"name", row.path},
                       {"value", bare(value_text(row, p))},
                       {"default", bare(value_text(row, defaults))},

@@ -77,10 +77,9 @@ Deviations deviations(const study::Study& study) {
     found.sentences.push_back(fmt::format("replicates {} (published: {})", study.replicates, published.replicates));
   found.comparable = found.sentences.empty();
   for (const Row& row : schema()) {
-    const std::string here = value_text(row, study.base);
-    const std::string there = value_text(row, published.base);
-    if (here == there || !decides_on_results(row)) continue;
-    found.sentences.push_back(fmt::format("{} {} (published: {})", row.path, here, there));
+    if (!differs(row, study.base, published.base) || !decides_on_results(row)) continue;
+    found.sentences.push_back(
+        fmt::format("{} {} (published: {})", row.path, value_text(row, study.base), value_text(row, published.base)));
     found.comparable = found.comparable && (row.path == "run.integrator" || row.path == "run.time_step");
   }
   return found;

@@ -23,16 +23,17 @@ std::string label_in(const toml::table& table, FaultList& faults) {
   return label;
 }
 
-void check_twins(const std::vector<ConditionDraft>& all, FaultList& faults) {
+void check_twins(const std::vector<ConditionDraft>& all, const Parameters& base, FaultList& faults) {
   std::map<std::string, int> labels;
-  std::map<std::vector<std::string>, int> seen;
+  std::map<std::string, int> seen;
   for (const ConditionDraft& draft : all) {
     const std::string& label = draft.condition.label;
     if (!label.empty() && labels[label]++ > 0)
       faults.add(draft.place, "conditions", fmt::format("\"{}\" is the label of two conditions", excerpt(label)));
-    std::vector<std::string> settings;
-    for (const Setting& s : draft.condition.settings) settings.push_back(s.key + " = " + s.value);
-    std::ranges::sort(settings);
+    Parameters p = base;
+    for (const Named& named : draft.parameters) assign(*named.row, given_for(*named.row, *named.node), p);
+    std::string settings;
+    for (const Setting& s : meant(draft.condition.settings, p)) settings += fmt::format("{} = {}\n", s.key, s.value);
     if (seen[settings]++ > 0)
       faults.add(draft.place, "conditions", fmt::format("\"{}\": is the same as another condition", excerpt(label)));
   }
@@ -61,7 +62,7 @@ std::vector<ConditionDraft> read_conditions(const toml::array& list, const Param
       draft.parameters.push_back(named);
     }
   }
-  if (faults.empty()) check_twins(all, faults);
+  if (faults.empty()) check_twins(all, base, faults);
   return all;
 }
 

@@ -81,7 +81,7 @@ using Json = nlohmann::ordered_json;
 
 /// A swept value: the number in the unit of its row, the word, or the formula or file of a field or law.
 Json value_of(const Row& row, const Parameters& p) {
-  std::string text = value_text(row, p);
+  std::string text = meaning_text(row, p);
   std::erase(text, '"');
   const Kind of = kind(row);
   if (of == Kind::field || of == Kind::law || of == Kind::constants) return text.empty() ? "none" : text;

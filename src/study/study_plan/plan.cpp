@@ -17,6 +17,12 @@ std::string anywhere(const std::string& value) {
   return hash == std::string::npos ? value : without_folder(value) + value.substr(hash);
 }
 
+/// What the seeds of a point follow from.
+std::vector<Setting> seeding(const Study& study, const Point& point) {
+  if (study.common_random_numbers) return {};
+  return point.seeded_by.empty() ? point.settings : point.seeded_by;
+}
+
 } // namespace
 
 std::uint64_t run_seed(std::uint64_t study_seed, std::vector<Setting> settings, std::size_t replicate) {
@@ -34,15 +40,17 @@ Parameters parameters_of(const Study& study, const Run& run) {
   return p;
 }
 
+std::uint64_t seed_as_typed(const Study& study, const Run& run) {
+  return run_seed(study.seed, seeding(study, study.points[run.point]), run.replicate);
+}
+
 std::vector<Run> planned_runs(const Study& study, const Fingerprint& fingerprint) {
   std::vector<Run> runs;
   runs.reserve(study.runs());
   for (std::size_t replicate = 1; replicate <= study.replicates; ++replicate)
     for (std::size_t i = 0; i < study.points.size(); ++i) {
       const Point& point = study.points[i];
-      const auto settings = study.common_random_numbers ? std::vector<Setting>()
-                            : point.seeded_by.empty()   ? point.settings
-                                                        : point.seeded_by;
+      const std::vector<Setting> settings = meant(seeding(study, point), point.parameters);
       Run run{i, replicate, run_seed(study.seed, settings, replicate), {}};
       run.hash = fingerprint(parameters_of(study, run));
       runs.push_back(std::move(run));

@@ -25,6 +25,10 @@ struct Run {
 /// @return at most 2^53 - 1, which every reader of JSON keeps
 std::uint64_t run_seed(std::uint64_t study_seed, std::vector<Setting> settings, std::size_t replicate);
 
+/// The seed of a run where the settings of its point are taken as they were typed, as versions did that took two
+/// spellings of a law for two points. The seed of a run follows from their meaning (meant()).
+std::uint64_t seed_as_typed(const Study& study, const Run& run);
+
 /// The parameters of a run: those of its point, with its seed and one thread.
 Parameters parameters_of(const Study& study, const Run& run);
 

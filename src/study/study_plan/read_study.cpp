@@ -73,7 +73,8 @@ public:
       m_faults.raise();
     }
     m_table = std::move(std::get<toml::table>(document));
-    if (is_written_out(text)) m_gone = follow_gone(m_table, scenario_table());
+    m_written_out = is_written_out(text);
+    if (m_written_out) m_gone = follow_gone(m_table, scenario_table());
     refuse_scenario();
     check_keys();
     read_head();
@@ -234,7 +235,8 @@ private:
     if (name.empty()) return;
     const std::filesystem::path file(name);
     try {
-      m_study.base = read_parameters(file.is_absolute() ? file : m_folder / file);
+      const std::filesystem::path path = file.is_absolute() ? file : m_folder / file;
+      m_study.base = m_written_out ? read_unjudged(path) : read_parameters(path);
     } catch (const InputOutputError& error) {
       throw InputOutputError(
           to_string(Fault{m_faults.file(), place_of(node).line, place_of(node).column, "scenario", error.what()}));
@@ -296,7 +298,9 @@ private:
     RuleCheck rule_check(m_changes.more);
     std::vector<std::pair<std::string, std::string>> seen; // settings and labels
     for (const Draft& draft : drafts) {
-      std::string settings = sorted_text(draft.point.settings);
+      std::string settings;
+      for (const Setting& s : meant(draft.point.settings, draft.point.parameters))
+        settings += fmt::format("{} = {}\n", s.key, s.value);
       for (const auto& [path, value] : draft.point.parameters.origin.gone) settings += path + " = " + value + "\n";
       seen.emplace_back(std::move(settings), draft.point.label);
       auto places = draft.settings;
@@ -323,13 +327,6 @@ private:
     if (m_faults.empty()) twice(&std::pair<std::string, std::string>::second, "is the label of two points");
   }
 
-  static std::string sorted_text(std::vector<Setting> settings) {
-    std::ranges::sort(settings, {}, &Setting::key);
-    std::string text;
-    for (const Setting& s : settings) text += fmt::format("{} = {}\n", s.key, s.value);
-    return text;
-  }
-
   /// The file with all points written out must be one that can be read again.
   void require_room() {
     if (!m_faults.empty()) return;
@@ -351,6 +348,7 @@ private:
   std::filesystem::path m_folder;
   Changes m_changes;
   toml::table m_table;
+  bool m_written_out = false; ///< by the program, with all its points
   GoneValues m_gone;
   Study m_study;
   std::vector<std::pair<std::string, Place>> m_fixed; ///< parameters of [set]

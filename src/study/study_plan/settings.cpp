@@ -95,6 +95,13 @@ std::vector<Named> named_parameters(const toml::table& table, std::string_view s
   return found;
 }
 
+std::vector<Setting> meant(std::vector<Setting> settings, const Parameters& p) {
+  for (Setting& s : settings)
+    if (const Row* row = find_row(s.key); row != nullptr && section_of(*row) == "laws") s.value = meaning_text(*row, p);
+  std::ranges::sort(settings, {}, &Setting::key);
+  return settings;
+}
+
 std::optional<Setting> assigned(const Row& row, const toml::node& node, Parameters& p, FaultList& faults) {
   const std::string fault = assign(row, given_for(row, node), p);
   if (!fault.empty()) {
@@ -106,9 +113,11 @@ std::optional<Setting> assigned(const Row& row, const toml::node& node, Paramete
 
 void RuleCheck::check(const Parameters& p, const std::vector<std::pair<std::string, Place>>& places,
                       FaultList& faults) {
-  for (const Rule& rule : rules()) blame(rule, rule.broken(p), places, faults);
+  Judgement judgement;
+  for (const Rule& rule : rules())
+    blame(rule, judgement(rule, p, [&](const Rule& r) { return r.broken(p); }), places, faults);
   for (const Rule& rule : m_more)
-    if (!rule.matters || rule.matters(p)) blame(rule, found(rule, p), places, faults);
+    blame(rule, judgement(rule, p, [&](const Rule& r) { return found(r, p); }), places, faults);
 }
 
 const std::string& RuleCheck::found(const Rule& rule, const Parameters& p) {

@@ -38,6 +38,9 @@ void complete_fields(toml::table& table, const std::filesystem::path& folder, fi
 /// The value of a setting as people read it: of a field from a file without folder and fingerprint; others as they are.
 std::string without_folder(const std::string& value);
 
+/// The settings sorted by key, laws and constants in one spelling.   @param p  parameters with these settings
+std::vector<Setting> meant(std::vector<Setting> settings, const Parameters& p);
+
 /// Gives the parameter a value. @return how it stands in a scenario file; none, and a fault, if it is not allowed
 std::optional<Setting> assigned(const Row& row, const toml::node& node, Parameters& p, FaultList& faults);
 

@@ -42,7 +42,7 @@ std::vector<ValueList> value_lists(const toml::table& table, std::string_view se
       Parameters scratch = base;
       const auto setting = assigned(*named.row, value, scratch, faults);
       if (!setting) continue;
-      if (!listed.insert(setting->value).second)
+      if (!listed.insert(meaning_text(*named.row, scratch)).second)
         faults.add(place_of(value), named.row->path, fmt::format("{} is listed twice", setting->value));
       axis.nodes.push_back(&value);
       axis.settings.push_back(*setting);

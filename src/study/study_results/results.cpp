@@ -71,7 +71,7 @@ Standing from_log(const std::filesystem::path& log) {
 /// The number of a swept parameter in the unit of its row, or the word of a choice.
 std::string swept_text(const Point& point, const std::string& key) {
   const Row& row = *find_row(key);
-  std::string text = value_text(row, point.parameters);
+  std::string text = meaning_text(row, point.parameters);
   std::erase(text, '"');
   if (kind(row) != Kind::quantity) return text;
   const auto quantity = units::parse_quantity(text);

@@ -49,7 +49,7 @@ bool holds_base(const StudyFolder& study) {
   std::error_code error;
   if (!fs::is_regular_file(file, error)) return false;
   try {
-    return same(neutral(read_parameters(file)), neutral(study.study.base));
+    return same(neutral(read_unjudged(file)), neutral(study.study.base));
   } catch (const ConfigurationError&) { // was damaged
     return false;
   }
@@ -166,25 +166,46 @@ std::set<std::string> other_folders(const StudyFolder& study) {
   return names;
 }
 
+/// A run that may lie in a folder of another name.
+struct Wanted {
+  Run* run;
+  std::string hash; ///< of its configuration, with the seed by which it is known
+};
+
+/// Runs that are not where this program has them, by their seed, which is quickly read; those of a law that is spelled
+/// otherwise than its meaning by the seed of earlier versions as well.
+std::multimap<std::uint64_t, Wanted> wanted_runs(StudyFolder& study) {
+  std::multimap<std::uint64_t, Wanted> wanted;
+  std::error_code error;
+  for (Run& run : study.runs) {
+    if (fs::exists(run_folder(study.folder, run), error)) continue;
+    wanted.emplace(run.seed, Wanted{&run, run.hash});
+    Run typed = run;
+    typed.seed = seed_as_typed(study.study, run);
+    if (typed.seed != run.seed)
+      wanted.emplace(typed.seed, Wanted{&run, run::configuration_hash(parameters_of(study.study, typed))});
+  }
+  return wanted;
+}
+
 /// Runs whose folders have another name than this program gives them, as another version may have: they are known by
-/// their own scenario. Its seed, which is quickly read, leaves few to be looked at.
+/// their own scenario.
 void find_by_scenario(StudyFolder& study) {
   const std::set<std::string> others = other_folders(study);
   if (others.empty()) return;
-  std::map<std::uint64_t, std::vector<Run*>> open;
-  std::error_code error;
-  for (Run& run : study.runs)
-    if (!fs::exists(run_folder(study.folder, run), error)) open[run.seed].push_back(&run);
+  auto wanted = wanted_runs(study);
   for (const std::string& name : others) {
     const fs::path folder = study.folder / "runs" / name;
-    const auto seed = open.empty() ? std::nullopt : written_seed(folder);
-    const auto runs = seed ? open.find(*seed) : open.end();
-    if (runs == open.end()) continue;
+    const auto seed = wanted.empty() ? std::nullopt : written_seed(folder);
+    if (!seed || !wanted.contains(*seed)) continue;
     const std::string hash = run::written_configuration(folder);
-    const auto own = std::ranges::find(runs->second, hash, [](const Run* run) { return run->hash; });
-    if (own == runs->second.end()) continue;
-    (*own)->hash = name;
-    runs->second.erase(own);
+    const auto [first, last] = wanted.equal_range(*seed);
+    const auto own = std::find_if(first, last, [&](const auto& one) { return one.second.hash == hash; });
+    if (own == last) continue;
+    Run* run = own->second.run;
+    run->hash = name;
+    run->seed = *seed;
+    std::erase_if(wanted, [&](const auto& one) { return one.second.run == run; });
   }
 }
 

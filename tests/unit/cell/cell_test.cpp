@@ -16,44 +16,48 @@ std::vector<double> uneven_maturation(const CortexState& c) {
   return f_mat;
 }
 
+/// The curvature factor of the paper.
+const Law& factor() {
+  static const Law law("laws.curvature_factor", {});
+  return law;
+}
+
+double curvature_factor(double kappa) { return factor()({kappa}); }
+
 CortexForce actomyosin(const std::function<std::vector<double>(const CortexState&)>& f_mat) {
   return [f_mat](const CortexState& c, std::uint32_t first, std::span<Vec2> force, DragSystem& A) {
-    add_actomyosin(c, {}, f_mat(c), time_step, first, force, A);
+    add_actomyosin(c, {}, f_mat(c), time_step, first, force, A, factor());
   };
 }
 
 } // namespace
 
 TEST(CurvatureFactor, IsOneAtTheOptimumAndSymmetricAroundIt) {
-  const ActomyosinParameters p;
-  EXPECT_EQ(curvature_factor(-0.15, p), 1.0);
+  EXPECT_EQ(curvature_factor(-0.15), 1.0);
   for (double q = 0.0; q < 2.0; q += 0.05) {
-    const double factor = curvature_factor(-0.15 + q, p);
-    EXPECT_NEAR(curvature_factor(-0.15 - q, p), factor, 1e-14);
-    EXPECT_LE(curvature_factor(-0.15 + q + 0.05, p), factor);
-    EXPECT_GE(factor, 0.0);
+    const double there = curvature_factor(-0.15 + q);
+    EXPECT_NEAR(curvature_factor(-0.15 - q), there, 1e-14);
+    EXPECT_LE(curvature_factor(-0.15 + q + 0.05), there);
+    EXPECT_GE(there, 0.0);
   }
-  EXPECT_LT(curvature_factor(3.0, p), 1e-9);
-  EXPECT_LT(curvature_factor(-3.0, p), 1e-9);
+  EXPECT_LT(curvature_factor(3.0), 1e-9);
+  EXPECT_LT(curvature_factor(-3.0), 1e-9);
 }
 
-TEST(CurvatureFactor, FallsToOneOverEAtOneWidth) {
-  EXPECT_NEAR(curvature_factor(0.10, ActomyosinParameters{}), std::exp(-1.0), 1e-12);
-}
+TEST(CurvatureFactor, FallsToOneOverEAtOneWidth) { EXPECT_NEAR(curvature_factor(0.10), std::exp(-1.0), 1e-12); }
 
 TEST(CurvatureFactor, OfTheRoundBodyIsSmallerThanOfAConcaveFlank) {
-  const ActomyosinParameters p;
-  EXPECT_NEAR(curvature_factor(1.0 / 15.0, p), std::exp(-std::pow((1.0 / 15.0 + 0.15) / 0.25, 2)), 1e-12); // 0.47
-  EXPECT_NEAR(curvature_factor(-0.1, p), std::exp(-0.04), 1e-12);
+  EXPECT_NEAR(curvature_factor(1.0 / 15.0), std::exp(-std::pow((1.0 / 15.0 + 0.15) / 0.25, 2)), 1e-12); // 0.47
+  EXPECT_NEAR(curvature_factor(-0.1), std::exp(-0.04), 1e-12);
 }
 
 TEST(Eq6, TakesTheLesserMaturationOfBothEnds) {
   const ActomyosinParameters p;
-  EXPECT_DOUBLE_EQ(F_am(1.0, 1.0, -0.15, p), 0.6);
-  EXPECT_DOUBLE_EQ(F_am(0.2, 0.7, -0.15, p), 0.12);
-  EXPECT_DOUBLE_EQ(F_am(0.7, 0.2, -0.15, p), 0.12);
-  EXPECT_EQ(F_am(0.0, 1.0, -0.15, p), 0.0);
-  EXPECT_DOUBLE_EQ(F_am(0.2, 0.7, 0.2, p), 0.12 * curvature_factor(0.2, p));
+  EXPECT_DOUBLE_EQ(F_am(1.0, 1.0, -0.15, p, factor()), 0.6);
+  EXPECT_DOUBLE_EQ(F_am(0.2, 0.7, -0.15, p, factor()), 0.12);
+  EXPECT_DOUBLE_EQ(F_am(0.7, 0.2, -0.15, p, factor()), 0.12);
+  EXPECT_EQ(F_am(0.0, 1.0, -0.15, p, factor()), 0.0);
+  EXPECT_DOUBLE_EQ(F_am(0.2, 0.7, 0.2, p, factor()), 0.12 * curvature_factor(0.2));
 }
 
 TEST(Actomyosin, ContractsTheRoundCell) {
@@ -62,7 +66,7 @@ TEST(Actomyosin, ContractsTheRoundCell) {
   const CortexState c = round_cortex(cell);
   const auto body = [](const CortexState& ring) { return std::vector<double>(ring.size(), 0.05); };
   const std::vector<Vec2> force = assemble(actomyosin(body), c).force;
-  const double inwards = 2.0 * F_am(0.05, 0.05, 1.0 / 15.0, p) * std::sin(std::numbers::pi / 235.0);
+  const double inwards = 2.0 * F_am(0.05, 0.05, 1.0 / 15.0, p, factor()) * std::sin(std::numbers::pi / 235.0);
   for (std::size_t i = 0; i < c.size(); ++i) EXPECT_LT((force[i] + inwards * c.x[i] / 15.0).norm(), 1e-13);
 }
 
@@ -87,7 +91,7 @@ TEST(Actomyosin, UsesTheMeanCurvatureOfBothEnds) {
   const std::vector<Vec2> force = assemble(actomyosin([&](const CortexState&) { return f_mat; }), c).force;
   const double kappa = 0.5 * (curvature(c, 5) + curvature(c, 6));
   EXPECT_GT(std::abs(curvature(c, 5) - kappa), 1e-3);
-  EXPECT_LT((force[5] - F_am(0.8, 0.8, kappa, p) * (c.x[6] - c.x[5]).normalized()).norm(), 1e-15);
+  EXPECT_LT((force[5] - F_am(0.8, 0.8, kappa, p, factor()) * (c.x[6] - c.x[5]).normalized()).norm(), 1e-15);
   EXPECT_LT((force[6] + force[5]).norm(), 1e-15);
 }
 
@@ -104,7 +108,7 @@ TEST(Actomyosin, IsImplicitAcrossEachSegment) { // time_step T/l on the relative
   for (std::size_t i = 0; i < c.size(); ++i) {
     const std::size_t j = c.next(i);
     const Vec2 e = c.x[j] - c.x[i];
-    const double T = F_am(f_mat[i], f_mat[j], 0.5 * (curvature(c, i) + curvature(c, j)), p);
+    const double T = F_am(f_mat[i], f_mat[j], 0.5 * (curvature(c, i) + curvature(c, j)), p, factor());
     expected += time_step * T / e.norm() * std::pow(cross(e, v[j] - v[i]) / e.norm(), 2);
   }
   EXPECT_NEAR(power(drag_force(assemble(actomyosin(uneven_maturation), c).A, v), v), expected, 1e-12 * expected);

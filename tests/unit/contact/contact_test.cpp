@@ -159,7 +159,7 @@ TEST(Obstacle, IsNeverDegraded) {
   s.ecm.rho[s.k] = 1.7; // under a pressure at which solid is degraded
   const std::vector<std::uint8_t> on_protrusion(s.c.size(), 1);
   const std::vector<Vec2> tips{s.ecm.x[s.k]};
-  degrade(s.ecm, s.p, s.nearby(), {on_protrusion}, tips, 5.0);
+  degrade(s.ecm, s.p, s.nearby(), {on_protrusion}, tips, 5.0, Laws(s.p));
   EXPECT_EQ(s.ecm.f[s.k], 1.0);
   s.ecm.x[s.k] -= 4.0 * s.out; // deep inside the cell
   EXPECT_EQ(fluidize_engulfed(s.ecm, s.p, s.nearby()), 0U);

@@ -51,7 +51,7 @@ constexpr double pi = std::numbers::pi;
 TEST(Cues, AreOffUntilAsked) {
   Scene s;
   s.ecm.attractant.assign(s.ecm.size(), 1.0);
-  EXPECT_TRUE(propensity(s.cell, s.ecm, s.p).empty());
+  for (const double factor : propensity(s.cell, s.ecm, s.p, Law("laws.initiation_bias", {}))) EXPECT_EQ(factor, 1.0);
 }
 
 TEST(Occupancy, IsHalfAtTheDissociationConstant) {
@@ -87,13 +87,14 @@ TEST(Chemotaxis, TurnsFirstProtrusionsTowardsTheSource) {
   const std::vector<double> factor = s.biased("exp(8*occupancy)");
   const std::vector<Vec2> n = normals(s.cell.cortex);
   const std::vector<std::uint8_t> front(s.cell.cortex.size(), 1);
+  const std::vector<double> rate(front.size(), s.p.protrusion.initiation_rate);
   const auto mean_cosine = [&](std::span<const double> of) {
     double sum = 0.0;
     for (std::uint64_t seed = 1; seed <= 200; ++seed) {
       s.p.run.seed = seed;
       Cell cell = s.cell;
       for (std::uint64_t step = 1; cell.protrusions.empty(); ++step)
-        initiate(cell, {step, 5.0 * static_cast<double>(step)}, s.p, 5.0, {front, n, Vec2::Zero(), 1.0, of});
+        initiate(cell, {step, 5.0 * static_cast<double>(step)}, s.p, 5.0, {front, n, Vec2::Zero(), 1.0, rate, of});
       sum += std::get<Growing>(cell.protrusions.front().phase).direction.x();
     }
     return sum / 200.0;
@@ -125,7 +126,8 @@ TEST(Bias, KnowsCurvatureAndTheAngleToThePolarization) {
   s.p.laws.initiation_rate = "1e-3*kappa";
   for (const double rate : along_cortex(Laws(s.p).initiation_rate, s.cell, s.ecm, s.p))
     EXPECT_NEAR(rate, 1e-3 / s.p.cell.radius, 1e-6);
-  EXPECT_TRUE(along_cortex(Law(), s.cell, s.ecm, s.p).empty());
+  for (const double rate : along_cortex(Law("laws.initiation_rate", {}), s.cell, s.ecm, s.p))
+    EXPECT_EQ(rate, s.p.protrusion.initiation_rate) << "of the paper";
 }
 
 // What vanishes straight ahead must not keep the first protrusion from beginning.

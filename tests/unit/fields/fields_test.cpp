@@ -28,6 +28,11 @@ std::string complaint(const auto& action) {
   return "";
 }
 
+/// A field by its formula.
+struct Formula : Field {
+  explicit Formula(const std::string& text) : Field(text, "") {}
+};
+
 TEST(Formula, IsComputedAtPoints) {
   const Formula f("200 + 2*x - y^2 + r");
   EXPECT_DOUBLE_EQ(f.at({3.0, 4.0}), 200.0 + 6.0 - 16.0 + 5.0);

@@ -1,9 +1,11 @@
 #include "parameters/laws/law.hpp"
 
 #include "base/failure.hpp"
+#include "base/file.hpp"
 #include "faults.hpp"
+#include "parameters/laws/law_curves.hpp"
+#include "parameters/laws/law_names.hpp"
 #include "parameters/laws/law_values.hpp"
-#include "parameters/laws/laws.hpp"
 #include "parameters/write.hpp"
 
 #include <gtest/gtest.h>
@@ -38,11 +40,16 @@ TEST(Law, DefaultsAreNotChangedAndCanBeRead) {
     ASSERT_TRUE(law.before) << law.path;
     if (kind(law) != Kind::law) continue;
     EXPECT_FALSE(is_changed(law, {})) << law.path;
-    EXPECT_FALSE(law_variables(law).empty()) << law.path;
+    EXPECT_FALSE(law.arguments.empty()) << law.path;
+    const std::string key(key_of(law));
+    for (const std::string& known : {usual_text(law), std::string(*law.before)})
+      EXPECT_EQ(law_meaning(law, with(key, known + " ")), known) << "finished runs have it in their fingerprints";
     EXPECT_NO_THROW(law_formula(law, {}, text_of(law, {}))) << law.path;
-    for (const LawVariable& variable : law_variables(law)) {
-      EXPECT_LT(variable.low, variable.high) << law.path;
-      EXPECT_NE(law.description.find(variable.name), std::string_view::npos) << law.path << " " << variable.name;
+    for (const LawVariable& argument : law.arguments) {
+      EXPECT_LT(argument.low, argument.high) << law.path;
+      EXPECT_LE(argument.low, argument.drawn_low) << law.path << " " << argument.name;
+      EXPECT_LT(argument.drawn_low, argument.drawn_high) << law.path << " " << argument.name;
+      EXPECT_LE(argument.drawn_high, argument.high) << law.path << " " << argument.name;
     }
   }
   EXPECT_EQ(law_rows().back().path, "laws.constants");
@@ -73,29 +80,23 @@ TEST(Law, NamesAreTheSymbolsOfParametersInFormulasUnits) {
   EXPECT_TRUE(std::isnan(value("f_mat"))) << "the variable";
   std::set<std::string> once;
   for (const fields::NamedNumber& name : names) EXPECT_TRUE(once.insert(name.name).second) << name.name;
-  for (const char* mixed : {"g = 5 Pa/um", "g = 5 kPa um", "g = 1 Pa s/um"}) {
-    Parameters wrong;
-    wrong.laws.constants = mixed;
-    EXPECT_NE(fault_of_constants(wrong).find("mixes Pa with another length"), std::string::npos) << mixed;
-  }
   p.laws.constants = "g = 5 Pa^0.5";
   const std::vector<fields::NamedNumber> all = law_names(p);
   EXPECT_NEAR(std::ranges::find(all, "g", &fields::NamedNumber::name)->value, 5.0, 1e-12);
 }
 
-TEST(Law, OfThePaperIsNoFormula) {
-  const Parameters p;
-  EXPECT_FALSE(Law("laws.curvature_factor", p).changed());
-  EXPECT_FALSE(Law().changed());
-  EXPECT_FALSE(usual_laws().disassembly_rate.changed());
-  EXPECT_FALSE(Laws(p).growth_force.changed());
-  EXPECT_TRUE(changed_laws(p).empty());
+TEST(Law, OfThePaperIsNotChangedBySpelling) {
+  EXPECT_TRUE(changed_laws({}).empty());
+  EXPECT_TRUE(changed_laws(with("growth_force", "(n_prot>0)and(A>1.0)?1/A:1")).empty());
+  EXPECT_EQ(changed_laws(with("growth_force", "n_prot > 0 && A > 1 ? 1/A : 2")).size(), 1U);
 }
 
 TEST(Law, KnowsWhatItUses) {
   const Law law("laws.disassembly_rate", with("disassembly_rate", "F*r_off_0/F_c", "F_c = 0.1 nN"));
   EXPECT_TRUE(law.uses("F"));
   EXPECT_FALSE(law.uses("f_mat"));
+  EXPECT_TRUE(law.varies());
+  EXPECT_FALSE(Law("laws.initiation_rate", {}).varies());
   EXPECT_FALSE(law.uses("G"));
   EXPECT_DOUBLE_EQ(law({0.05, 1.0, 0.0}), 0.1);
 }
@@ -235,9 +236,11 @@ INSTANTIATE_TEST_SUITE_P(
 
 TEST(LawFaults, OfConstantsAreToldOnce) {
   const auto of = [](const std::string& constants) {
-    Parameters p = with("polarization_rate", "r_pol*x_0", constants);
-    EXPECT_EQ(fault_of_law(p, row("polarization_rate")), "") << constants;
-    return fault_of_constants(p);
+    const std::string law = "[laws]\npolarization_rate = \"r_pol*x_0\"\ninitiation_bias = \"x_0*ligand\"\n";
+    const std::string field = "[ecm.fields]\nligand = \"2\"\n";
+    const std::string told = fault_of(law + "constants = \"" + constants + "\"\n" + field);
+    EXPECT_EQ(told.find('\n'), std::string::npos) << told;
+    return told;
   };
   EXPECT_NE(of("x_0").find("\"x_0\" is not of the form name = value"), std::string::npos);
   EXPECT_NE(of("x_0 = 0,1").find("is not of the form name = value"), std::string::npos);
@@ -248,7 +251,7 @@ TEST(LawFaults, OfConstantsAreToldOnce) {
   EXPECT_NE(of("zeta_diss = 1").find("taken: it is adhesion.zeta_diss"), std::string::npos);
   EXPECT_NE(of("kappa = 1").find("taken: it is an argument of a law"), std::string::npos);
   EXPECT_NE(of("sin = 1").find("taken: it is known to every formula"), std::string::npos);
-  EXPECT_EQ(of("x_0 = 2"), "");
+  EXPECT_EQ(of("x_0 = 2"), "0 faults");
 }
 
 TEST(LawFaults, StandAtTheirKeys) {
@@ -302,6 +305,92 @@ TEST(LawNames, HaveThePullOfBothStrands) {
   EXPECT_DOUBLE_EQ(Law("laws.disassembly_rate", p)({0.6, 0.5, 0.0}), 1e-3 * 0.6 / (0.5 * 2.0 * p.actomyosin.force));
   p.laws.constants = "F_both = 1 nN";
   EXPECT_NE(fault_of_constants(p).find("F_both is taken"), std::string::npos);
+}
+
+/// What laws.constants mean.
+std::string meaning(const std::string& constants) {
+  Parameters p;
+  p.laws.constants = constants;
+  return law_meaning(*find_row("laws.constants"), p);
+}
+
+TEST(LawMeaning, OfConstantsIsTheirValueInTheUnitOfFormulas) {
+  for (const char* one : {"F_c = 0.05 nN", "F_c=50 pN", " F_c  =  0.050 nN ", "F_c = 5e-2 nN", "F_c = 5e-11 N",
+                          "F_c = 0.05 kPa um^2", "F_c = 50 mg um/s^2"})
+    EXPECT_EQ(meaning(one), "F_c = 0.05 nN") << one;
+  for (const char* one : {"p_0 = 1 nN/um^2", "p_0 = 1 kPa", "p_0 = 1000 Pa", "p_0 = 1 mN/mm^2", "p_0 = 1000 kg/m/s^2"})
+    EXPECT_EQ(meaning(one), "p_0 = 1000 Pa") << one;
+  EXPECT_EQ(meaning("r = 12 1/min"), "r = 0.2 1/s");
+  EXPECT_EQ(meaning("b = 1e-4 1/Pa/s"), "b = 0.0001 1/Pa/s");
+  EXPECT_EQ(meaning("mu_0 = 1 nN s/um^2"), "mu_0 = 1000 Pa s");
+  EXPECT_EQ(meaning("w = 3 mN/m"), "w = 3 nN/um");
+  EXPECT_EQ(meaning("n = 2.0, a = 1"), "a = 1, n = 2") << "in any order";
+  EXPECT_EQ(meaning(""), "");
+  EXPECT_EQ(meaning("  "), "");
+  EXPECT_NE(meaning("F_c = 0.05 nN"), meaning("F_c = 0.051 nN"));
+  EXPECT_NE(meaning("F_c = 0.05 nN"), meaning("F_c = 0.05"));
+  EXPECT_EQ(meaning("F_c = 1 parsec"), "F_c = 1 parsec") << "is refused elsewhere";
+}
+
+TEST(LawMeaning, OfAFormulaIsItsTree) {
+  const auto same_as = [](const char* a, const char* b) {
+    return !differs(row("disassembly_rate"), with("disassembly_rate", a, "F_c = 1 nN, power = 2"),
+                    with("disassembly_rate", b, "F_c = 1 nN, power = 2"));
+  };
+  for (const char* spelling : {"r_off_min*F/F_c", " r_off_min * F /F_c ", "(r_off_min*F)/F_c", "((r_off_min)*(F))/F_c",
+                               "r_off_min\u00b7F\u00f7F_c", "+r_off_min*F/F_c"})
+    EXPECT_TRUE(same_as("r_off_min*F/F_c", spelling)) << spelling;
+  EXPECT_TRUE(same_as("0.5*F^2", ".50*F**2.0"));
+  EXPECT_TRUE(same_as("F^2", "pow(F, 2)"));
+  EXPECT_TRUE(same_as("F > 1 ? 1 : 2", "if(F>1,1,2)"));
+  EXPECT_TRUE(same_as("_pi*F", "pi*F"));
+  EXPECT_FALSE(same_as("r_off_min*F/F_c", "F*r_off_min/F_c")) << "other bits";
+  EXPECT_FALSE(same_as("r_off_min*F/F_c", "r_off_min*(F/F_c)"));
+  EXPECT_FALSE(same_as("F*power", "F*2"));
+  EXPECT_FALSE(same_as("0.5*F", "0.51*F"));
+}
+
+TEST(LawMeaning, IsWhatTheFingerprintAndTheComparisonTake) {
+  const Parameters a = with("disassembly_rate", "1e-3*F/F_c", "F_c = 50 pN, n = 2");
+  const Parameters b = with("disassembly_rate", "0.001 * F / F_c", "n=2.0,F_c=0.05 nN");
+  EXPECT_EQ(values_text(a), values_text(b));
+  EXPECT_TRUE(same(a, b));
+  EXPECT_FALSE(same(a, with("disassembly_rate", "1e-3*F/F_c", "F_c = 51 pN, n = 2")));
+  EXPECT_NE(to_toml(a).find("disassembly_rate = \"1e-3*F/F_c\"\n"), std::string::npos) << "files keep what was typed";
+  EXPECT_EQ(values_text(with("curvature_factor", "exp(-0.5*((kappa-kappa_0)/kappa_w)^2)")).find("laws"),
+            std::string::npos)
+      << "the default of the versions without these keys";
+}
+
+// In formulas stresses are in Pa, beside nN and um.
+TEST(LawUnits, OfStressesAndForcesAgreeByTheirFactor) {
+  EXPECT_EQ(fault("degradation_body", "p > p_0 ? r_degr_body : 0", "p_0 = 1 nN/um^2"), "");
+  const auto told = [](const char* formula, const char* constants) {
+    return fault("degradation_body", formula, constants);
+  };
+  EXPECT_NE(told("p*a > F_0 ? r_degr_body : 0", "a = 1 um^2, F_0 = 1 nN")
+                .find("p*a is in Pa um^2, but F_0 is in nN; 1 Pa is 1e-3 nN/um^2"),
+            std::string::npos);
+  EXPECT_EQ(told("1e-3*p*a > F_0 ? r_degr_body : 0", "a = 1 um^2, F_0 = 1 nN"), "") << "the factor is written out";
+  EXPECT_NE(told("r_degr_body*exp(-abs(p)*a/F_0)", "a = 1 um^2, F_0 = 1 nN").find("is in Pa um^2/nN, but exp takes"),
+            std::string::npos);
+  EXPECT_NE(told("abs(p)*a*r", "a = 1 um^2, r = 1 1/s/nN").find("is in Pa um^2/nN/s, but is to be in 1/s"),
+            std::string::npos);
+  EXPECT_NE(told("p > g*x_0 ? r_degr_body : 0", "g = 5 Pa/um, x_0 = 1 um")
+                .find("p is in Pa, but g*x_0 is in nN/um^2; 1 Pa is 1e-3 nN/um^2"),
+            std::string::npos)
+      << "a gradient of stress is in nN/um^3";
+  EXPECT_EQ(told("abs(p)/E*r_degr_body/1000", ""), "") << "both in Pa";
+}
+
+TEST(LawRanges, StandInThePageOfLaws) {
+  const std::string page = read_file(std::string(MATRIGRATE_SOURCE_DIR) + "/docs/how-to/laws.md", std::size_t{1} << 20);
+  for (const Row& law : law_rows())
+    for (const LawVariable& argument : law.arguments) {
+      const std::string line =
+          "`" + std::string(argument.name) + "` | " + range_text(argument) + " | " + std::string(argument.meaning);
+      EXPECT_NE(page.find(line), std::string::npos) << law.path << ": " << line;
+    }
 }
 
 TEST(LawNotes, SayWhatIsDoubtful) {

@@ -83,7 +83,8 @@ private:
 };
 
 bool rules_hold(const Parameters& p) {
-  return std::ranges::all_of(rules(), [&](const Rule& rule) { return rule.broken(p).empty(); });
+  return std::ranges::all_of(
+      rules(), [&](const Rule& rule) { return (rule.matters && !rule.matters(p)) || rule.broken(p).empty(); });
 }
 
 TEST(Write, TheResolvedFileReadsBackToTheSameBits) {

@@ -1,6 +1,7 @@
 #include "protrusion/adhesion.hpp"
 
 #include "base/random.hpp"
+#include "parameters/laws/law.hpp"
 #include "scene.hpp"
 #include "statistics/distributions.hpp"
 
@@ -25,6 +26,13 @@ Assembled adhesions(const Scene& s, const Parameters& p) {
   });
 }
 
+/// Eq. 7.
+Law r_off(const AdhesionParameters& adhesion = {}) {
+  Parameters p;
+  p.adhesion = adhesion;
+  return {"laws.disassembly_rate", p};
+}
+
 } // namespace
 
 TEST(AdhesionForce, PullsOnlyBeyondItsRestLength) {
@@ -36,26 +44,26 @@ TEST(AdhesionForce, PullsOnlyBeyondItsRestLength) {
 
 // Heck et al. 2020, Fig 4 (from Table 1): unloaded and loaded adhesions of full and half maturation.
 TEST(DisassemblyRate, HasTheValuesOfEquationSeven) {
-  const AdhesionParameters p;
-  EXPECT_NEAR(disassembly_rate(0.0, 1.0, p), 0.200278, 1e-9);
-  EXPECT_NEAR(disassembly_rate(0.6, 1.0, p), 2.78e-4 + 0.2 * 6.14421e-6, 1e-9);
-  EXPECT_NEAR(disassembly_rate(0.3, 1.0, p), 2.78e-4 + 0.2 * 2.47875e-3, 1e-8);
-  EXPECT_NEAR(disassembly_rate(0.3, 0.5, p), disassembly_rate(0.6, 1.0, p), 1e-15);
-  EXPECT_NEAR(1.0 / disassembly_rate(0.6, 1.0, p) / 3600.0, 0.995, 0.001); // an hour under full load
+  const Law rate = r_off();
+  EXPECT_NEAR(rate({0.0, 1.0, 0.0}), 0.200278, 1e-9);
+  EXPECT_NEAR(rate({0.6, 1.0, 0.0}), 2.78e-4 + 0.2 * 6.14421e-6, 1e-9);
+  EXPECT_NEAR(rate({0.3, 1.0, 0.0}), 2.78e-4 + 0.2 * 2.47875e-3, 1e-8);
+  EXPECT_NEAR(rate({0.3, 0.5, 0.0}), rate({0.6, 1.0, 0.0}), 1e-15);
+  EXPECT_NEAR(1.0 / rate({0.6, 1.0, 0.0}) / 3600.0, 0.995, 0.001); // an hour under full load
 }
 
 TEST(DisassemblyRate, FallsWithTheForceTowardsItsLeast) {
-  const AdhesionParameters p;
+  AdhesionParameters p;
+  const Law law = r_off(p);
   double last = 1.0;
   for (double F = 0.0; F < 1.5; F += 0.05) {
-    const double rate = disassembly_rate(F, 0.9, p);
+    const double rate = law({F, 0.9, 0.0});
     EXPECT_LT(rate, last);
     EXPECT_GT(rate, p.r_off_min);
     last = rate;
   }
-  AdhesionParameters independent = p;
-  independent.zeta_diss = 0.0;
-  EXPECT_EQ(disassembly_rate(0.1, 0.5, independent), disassembly_rate(1.0, 0.9, independent));
+  p.zeta_diss = 0.0;
+  EXPECT_EQ(r_off(p)({0.1, 0.5, 0.0}), r_off(p)({1.0, 0.9, 0.0}));
 }
 
 TEST(Rupture, HappensAtItsShareOfTheMatureForceWhereSwitchedOn) {
@@ -70,9 +78,8 @@ TEST(Rupture, HappensAtItsShareOfTheMatureForceWhereSwitchedOn) {
 }
 
 TEST(Lifetimes, OfAdhesionsUnderConstantForceAreExponential) {
-  const AdhesionParameters p;
   for (const double F : {0.1, 0.2, 0.3}) {
-    const double rate = disassembly_rate(F, 1.0, p);
+    const double rate = r_off()({F, 1.0, 0.0});
     const double probability = event_probability(rate, time_step);
     std::vector<double> lifetimes;
     for (std::uint32_t id = 1; id <= 2000; ++id) {

@@ -18,7 +18,8 @@ namespace {
 void try_to_initiate(Scene& s, const Parameters& p, const std::vector<std::uint8_t>& of_front,
                      const Vec2& centre = Vec2::Zero(), double area = 1.0) {
   const std::vector<Vec2> n = normals(s.cell.cortex);
-  initiate(s.cell, s.now, p, p.run.time_step, {of_front, n, centre, area});
+  const std::vector<double> rate(of_front.size(), p.protrusion.initiation_rate);
+  initiate(s.cell, s.now, p, p.run.time_step, {of_front, n, centre, area, rate});
 }
 
 /// Steps until the first protrusion; its time, any moment within the step as likely as for a constant rate [s].
@@ -241,11 +242,11 @@ TEST(Facing, IsOneOnARoundCellAndFallsWithTheAngleOfTheNormal) {
   s.cell.cortex = round_cortex(p.cell);
   const std::vector<std::uint8_t> all(s.cell.cortex.size(), 1);
   std::vector<Vec2> n = normals(s.cell.cortex);
-  EXPECT_NEAR(facing(s.cell.cortex, 50, {all, n}, p.protrusion), 1.0, 0.01);
+  EXPECT_NEAR(facing(s.cell.cortex, 50, {.of_front = all, .normals = n, .rate = {}}, p.protrusion), 1.0, 0.01);
   for (Vec2& normal : n) normal = Eigen::Rotation2Dd(std::numbers::pi / 3.0) * normal;
-  EXPECT_NEAR(facing(s.cell.cortex, 50, {all, n}, p.protrusion), 0.5, 0.02);
+  EXPECT_NEAR(facing(s.cell.cortex, 50, {.of_front = all, .normals = n, .rate = {}}, p.protrusion), 0.5, 0.02);
   for (Vec2& normal : n) normal = Eigen::Rotation2Dd(std::numbers::pi / 2.0) * normal; // now 150 degrees
-  EXPECT_EQ(facing(s.cell.cortex, 50, {all, n}, p.protrusion), 0.0);
+  EXPECT_EQ(facing(s.cell.cortex, 50, {.of_front = all, .normals = n, .rate = {}}, p.protrusion), 0.0);
 }
 
 TEST(Facing, KeepsProtrusionsFromBeginningWhereTheTipFacesAway) {
@@ -258,13 +259,14 @@ TEST(Facing, KeepsProtrusionsFromBeginningWhereTheTipFacesAway) {
     return turned;
   }();
   const std::vector<std::uint8_t> all(start.cell.cortex.size(), 1);
+  const std::vector<double> rate(all.size(), p.protrusion.initiation_rate);
   const auto centres = [&](double least, int number) {
     p.protrusion.least_facing = least;
     p.protrusion.number = number;
     Scene s = start;
     for (int k = 0; k < 500; ++k) {
       next_step(s, p);
-      initiate(s.cell, s.now, p, p.run.time_step, {all, n});
+      initiate(s.cell, s.now, p, p.run.time_step, {.of_front = all, .normals = n, .rate = rate});
     }
     std::vector<std::uint32_t> found;
     for (const Protrusion& protrusion : s.cell.protrusions) found.push_back(protrusion.centre);

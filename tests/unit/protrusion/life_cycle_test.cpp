@@ -19,6 +19,10 @@ const Vec2 site(20.0, 1.0);
 /// A quiet moment: solid all around, no force, no bad luck.
 Circumstances quiet(double age) { return {.age = age, .force = 0.0, .support = 1.0, .ahead = site, .draw = 0.999999}; }
 
+Transition transition(const Phase& phase, const Circumstances& now, const Parameters& p, double dt) {
+  return matrigrate::transition(phase, now, p, dt, Laws(p));
+}
+
 template <class Next>
 Next expect_to(const Transition& change, EndCause cause = EndCause::none) {
   EXPECT_TRUE(change.changes);
@@ -126,7 +130,7 @@ TEST(Transition, ContractionEndsByADrawAgainstEquationSeven) {
   const Parameters p;
   Circumstances now = quiet(10.0);
   now.force = 0.05;
-  const double probability = -std::expm1(-disassembly_rate(0.05, 0.7, p.adhesion) * time_step);
+  const double probability = -std::expm1(-Laws(p).disassembly_rate({0.05, 0.7, 10.0}) * time_step);
   now.draw = 1.0001 * probability;
   EXPECT_FALSE(transition(Contracting{site, 0.7}, now, p, time_step).changes);
   now.draw = 0.9999 * probability;
@@ -179,11 +183,12 @@ TEST(UpdateProtrusions, WritesDownTheWholeLifeOfAProtrusion) {
   const Vec2 direction = outward(s, 100);
   add_protrusion(s, 100, Growing{direction});
   for (std::size_t i = 95; i <= 105; ++i) s.cell.cortex.x[i] *= 1.2;
+  const Laws laws(p);
   const auto until = [&](double t) {
     while (s.now.t < t - 0.5 * time_step) {
       ++s.now.step;
       s.now.t = static_cast<double>(s.now.step) * time_step;
-      update_protrusions(s.cell, s.ecm, s.now, p, time_step);
+      update_protrusions(s.cell, s.ecm, s.now, p, time_step, laws);
     }
   };
   const double stretched = (s.cell.cortex.x[95] - s.cell.cortex.x[94]).norm();

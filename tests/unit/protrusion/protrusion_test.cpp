@@ -123,14 +123,15 @@ TEST(GrowthForce, IsAShareOfFProtAlongItsDirectionAndFadesAsTheNormalTurns) {
 }
 
 TEST(AreaFactor, IsTheInverseAreaWhereANumberIsEnforced) {
-  ProtrusionParameters p;
-  EXPECT_EQ(area_factor(1.7, p), 1.0); // Eq. (10) is for a kept number alone
-  p.number = 2;
-  EXPECT_EQ(area_factor(0.9, p), 1.0);
-  EXPECT_EQ(area_factor(1.0, p), 1.0);
-  EXPECT_DOUBLE_EQ(area_factor(1.46, p), 1.0 / 1.46);
-  EXPECT_DOUBLE_EQ(area_factor(2.0, p), 0.5);
-  EXPECT_DOUBLE_EQ(area_factor(2.5, p), 0.4);
+  Parameters p;
+  const auto factor = [&](double area) { return Law("laws.growth_force", p)({area, 10.0, 200.0}); };
+  EXPECT_EQ(factor(1.7), 1.0); // Eq. (10) is for a kept number alone
+  p.protrusion.number = 2;
+  EXPECT_EQ(factor(0.9), 1.0);
+  EXPECT_EQ(factor(1.0), 1.0);
+  EXPECT_DOUBLE_EQ(factor(1.46), 1.0 / 1.46);
+  EXPECT_DOUBLE_EQ(factor(2.0), 0.5);
+  EXPECT_DOUBLE_EQ(factor(2.5), 0.4);
 }
 
 TEST(Growth, PushesOnlyTheTipsOfGrowingProtrusions) {
@@ -139,7 +140,7 @@ TEST(Growth, PushesOnlyTheTipsOfGrowingProtrusions) {
   add_protrusion(s, 30, Growing{outward(s, 30)});
   add_protrusion(s, 120, Contracting{2.0 * s.cell.cortex.x[120], 0.5});
   std::vector<Vec2> force(s.nodes(), Vec2::Zero());
-  add_growth(s.cell, p.protrusion, 1.0, normals(s.cell.cortex), s.first(), force);
+  add_growth(s.cell, p.protrusion, 1.0, normals(s.cell.cortex), s.first(), force, 0.0, Law("laws.growth_force", p));
   const Vec2 sum = net_force(force);
   EXPECT_GT(sum.dot(outward(s, 30)), 0.99 * 0.32); // the tip is nearly flat
   EXPECT_LE(sum.norm(), 0.32);
@@ -289,8 +290,16 @@ TEST(Membership, SaysWhatEachPhaseMakesOfTheCortex) {
 }
 
 namespace {
+
 constexpr double pi = std::numbers::pi;
+
+/// r_pol, 1.1e-3 /s.
+const Law& rate() {
+  static const Law law("laws.polarization_rate", {});
+  return law;
 }
+
+} // namespace
 
 TEST(AdhesionDirection, IsTheMeanOfTheUnitVectorsToMatureAdhesions) {
   const Parameters p = small_matrix();
@@ -314,32 +323,30 @@ TEST(AdhesionDirection, IsNoneBetweenOppositeAdhesions) {
 }
 
 TEST(Turned, ApproachesTheTargetExponentiallyAtRPol) {
-  const PolarizationParameters p; // 1.1e-3 /s
   double angle = 0.2;
-  for (int k = 0; k < 2500; ++k) angle = turned(angle, 1.2, 0.4, p); // 1000 s
+  for (int k = 0; k < 2500; ++k) angle = turned(angle, 1.2, 0.4, rate()); // 1000 s
   EXPECT_NEAR(1.2 - angle, std::exp(-1.1), 1e-9);
-  EXPECT_NEAR(turned(0.2, 1.2, 1000.0, p), angle, 1e-9); // whatever the step
+  EXPECT_NEAR(turned(0.2, 1.2, 1000.0, rate()), angle, 1e-9); // whatever the step
 }
 
 TEST(Turned, TakesTheShorterWayRound) {
-  const PolarizationParameters p;
-  EXPECT_GT(turned(3.0, -3.0, 0.4, p), 3.0);
-  EXPECT_LT(turned(-3.0, 3.0, 0.4, p), -3.0);
-  EXPECT_LE(std::abs(turned(3.1, -2.0, 1000.0, p)), pi);
+  EXPECT_GT(turned(3.0, -3.0, 0.4, rate()), 3.0);
+  EXPECT_LT(turned(-3.0, 3.0, 0.4, rate()), -3.0);
+  EXPECT_LE(std::abs(turned(3.1, -2.0, 1000.0, rate())), pi);
 }
 
 TEST(Polarize, WaitsForTheFirstProtrusionAndForAdhesions) {
   const Parameters p = small_matrix();
   Scene s = cell_in_matrix(p);
   add_protrusion(s, 0, Contracting{Vec2(0.0, 20.0), 0.5});
-  polarize(s.cell, p.polarization, Vec2::Zero(), 0.4);
+  polarize(s.cell, Vec2::Zero(), 0.4, rate());
   EXPECT_FALSE(s.cell.polarization);
   s.cell.polarization = 0.0;
-  polarize(s.cell, p.polarization, Vec2::Zero(), 0.4);
+  polarize(s.cell, Vec2::Zero(), 0.4, rate());
   EXPECT_NEAR(*s.cell.polarization, -std::expm1(-1.1e-3 * 0.4) * 0.5 * pi, 1e-12);
   s.cell.protrusions.clear();
   const double kept = *s.cell.polarization;
-  polarize(s.cell, p.polarization, Vec2::Zero(), 0.4);
+  polarize(s.cell, Vec2::Zero(), 0.4, rate());
   EXPECT_EQ(*s.cell.polarization, kept);
 }
 
@@ -349,6 +356,7 @@ TEST(Propensity, IsAFactorOnTheRateOfAParticle) {
   Scene s = cell_in_matrix(p);
   const std::vector<std::uint8_t> all(s.cell.cortex.size(), 1);
   const std::vector<Vec2> n = normals(s.cell.cortex);
+  const std::vector<double> rate(all.size(), p.protrusion.initiation_rate);
   std::vector<double> propensity(all.size(), 0.0);
   std::fill_n(propensity.begin(), 100, 3.0);
   std::fill_n(propensity.begin() + 100, 50, 1.0);
@@ -359,7 +367,8 @@ TEST(Propensity, IsAFactorOnTheRateOfAParticle) {
     Scene at = s;
     while (at.cell.protrusions.empty()) {
       next_step(at, p);
-      initiate(at.cell, at.now, p, p.run.time_step, {.of_front = all, .normals = n, .propensity = propensity});
+      initiate(at.cell, at.now, p, p.run.time_step,
+               {.of_front = all, .normals = n, .rate = rate, .propensity = propensity});
     }
     const std::uint32_t centre = at.cell.protrusions[0].centre;
     ASSERT_LT(centre, 150U);
@@ -376,6 +385,7 @@ TEST(Propensity, OfOneChangesNothing) {
   const Scene start = cell_in_matrix(p);
   const std::vector<std::uint8_t> of_front = front(start.cell.cortex, 0.3);
   const std::vector<Vec2> n = normals(start.cell.cortex);
+  const std::vector<double> rate(of_front.size(), p.protrusion.initiation_rate);
   const std::vector<double> one(of_front.size(), 1.0);
   for (const int number : {0, 2}) {
     p.protrusion.number = number;
@@ -383,8 +393,9 @@ TEST(Propensity, OfOneChangesNothing) {
     Scene s = start;
     for (int k = 0; k < 400; ++k) {
       next_step(plain, p);
-      initiate(plain.cell, plain.now, p, p.run.time_step, {.of_front = of_front, .normals = n});
-      initiate(s.cell, plain.now, p, p.run.time_step, {.of_front = of_front, .normals = n, .propensity = one});
+      initiate(plain.cell, plain.now, p, p.run.time_step, {.of_front = of_front, .normals = n, .rate = rate});
+      initiate(s.cell, plain.now, p, p.run.time_step,
+               {.of_front = of_front, .normals = n, .rate = rate, .propensity = one});
     }
     ASSERT_FALSE(s.cell.protrusions.empty());
     ASSERT_EQ(s.cell.protrusions.size(), plain.cell.protrusions.size());
@@ -395,16 +406,37 @@ TEST(Propensity, OfOneChangesNothing) {
   }
 }
 
+// A rate of 0 for all is that of the paper's kept numbers with initiation_rate = 0.
+TEST(Rate, ThatIsTheSameForAllTellsNoCandidateFromAnother) {
+  Parameters p = small_matrix();
+  p.protrusion.number = 1;
+  const Scene start = cell_in_matrix(p);
+  const std::vector<std::uint8_t> all(start.cell.cortex.size(), 1);
+  const std::vector<Vec2> n = normals(start.cell.cortex);
+  std::vector<std::uint32_t> centres;
+  for (const double r : {0.0, 1e-3, 7.0}) {
+    const std::vector<double> rate(all.size(), r);
+    Scene s = start;
+    while (s.cell.protrusions.empty()) {
+      next_step(s, p);
+      initiate(s.cell, s.now, p, p.run.time_step, {.of_front = all, .normals = n, .rate = rate});
+    }
+    centres.push_back(s.cell.protrusions[0].centre);
+  }
+  EXPECT_EQ(centres, std::vector<std::uint32_t>(3, centres[0]));
+}
+
 TEST(Propensity, OfZeroLeavesNoCandidate) {
   Parameters p = small_matrix();
   p.protrusion.number = 1;
   Scene s = cell_in_matrix(p);
   const std::vector<std::uint8_t> all(s.cell.cortex.size(), 1);
   const std::vector<Vec2> n = normals(s.cell.cortex);
+  const std::vector<double> rate(all.size(), p.protrusion.initiation_rate);
   const std::vector<double> none(all.size(), 0.0);
   for (int k = 0; k < 100; ++k) {
     next_step(s, p);
-    initiate(s.cell, s.now, p, p.run.time_step, {.of_front = all, .normals = n, .propensity = none});
+    initiate(s.cell, s.now, p, p.run.time_step, {.of_front = all, .normals = n, .rate = rate, .propensity = none});
   }
   EXPECT_TRUE(s.cell.protrusions.empty());
 }
@@ -415,6 +447,7 @@ TEST(Propensity, DecidesAmongTheCandidatesOfAKeptNumber) {
   Scene s = cell_in_matrix(p);
   const std::vector<std::uint8_t> all(s.cell.cortex.size(), 1);
   const std::vector<Vec2> n = normals(s.cell.cortex);
+  const std::vector<double> rate(all.size(), p.protrusion.initiation_rate);
   std::vector<double> propensity(all.size(), 0.0);
   propensity[40] = 2.0;
   propensity[70] = 6.0;
@@ -423,7 +456,8 @@ TEST(Propensity, DecidesAmongTheCandidatesOfAKeptNumber) {
   for (int k = 0; k < cells; ++k) {
     s.cell.protrusions.clear();
     next_step(s, p);
-    initiate(s.cell, s.now, p, p.run.time_step, {.of_front = all, .normals = n, .propensity = propensity});
+    initiate(s.cell, s.now, p, p.run.time_step,
+             {.of_front = all, .normals = n, .rate = rate, .propensity = propensity});
     ASSERT_EQ(s.cell.protrusions.size(), 1U);
     ASSERT_TRUE(s.cell.protrusions[0].centre == 40 || s.cell.protrusions[0].centre == 70);
     of_second += s.cell.protrusions[0].centre == 70 ? 1 : 0;

@@ -2,6 +2,8 @@
 
 #include "parameters/presets.hpp"
 #include "parameters/schema.hpp"
+#include "parameters/write.hpp"
+#include "study_plan/plan.hpp"
 #include "study_plan/study.hpp"
 
 #include <gtest/gtest.h>
@@ -44,6 +46,41 @@ TEST(ReadStudy, PointsBesideAGrid) {
 TEST(ReadStudy, WithoutAnythingToVary) {
   ASSERT_EQ(read("").points.size(), 1U);
   EXPECT_EQ(read("").points.front().label, "all");
+}
+
+TEST(ReadStudy, ALawInOtherWordsIsTheSamePoint) {
+  const std::string law = "[set]\nlaws.disassembly_rate = \"r_off_0*exp(-F/F_c)\"\n";
+  EXPECT_EQ(fault_of("[sweep]\nlaws.polarization_rate = [\"r_pol/2\", \"r_pol / 2.0\"]\n"),
+            "f.toml:4:38: laws.polarization_rate: \"r_pol / 2.0\" is listed twice");
+  EXPECT_EQ(fault_of(law + "[sweep]\nlaws.constants = [\"F_c = 50 pN, n = 2\", \"n=2, F_c = 0.050 nN\"]\n"),
+            "f.toml:6:41: laws.constants: \"n=2, F_c = 0.050 nN\" is listed twice");
+  const auto points = [](const std::string& a, const std::string& b) {
+    return "[[points]]\nlabel = \"a\"\n" + a + "\n[[points]]\nlabel = \"b\"\n" + b + "\n";
+  };
+  EXPECT_EQ(fault_of(law + points("laws.constants = \"F_c = 50 pN\"", "laws.constants = \"F_c = 0.05 nN\"")),
+            "f.toml:8:1: points: \"b\": is the same as another point");
+  // the law is read with the constants of its point
+  EXPECT_EQ(fault_of(points("laws.polarization_rate = \"r_pol*k\"\nlaws.constants = \"k = 2\"",
+                            "laws.constants = \"k = 2.0\"\nlaws.polarization_rate = \"( r_pol*k )\"")),
+            "f.toml:7:1: points: \"b\": is the same as another point");
+  EXPECT_EQ(fault_of("[[conditions]]\nlabel = \"a\"\nlaws.constants = \"k = 50 pN\"\n[[conditions]]\nlabel = \"b\"\n"
+                     "laws.constants = \"k=0.05 nN\"\n"),
+            "f.toml:6:1: conditions: \"b\": is the same as another condition");
+}
+
+/// Seeds follow from what a law means; those of the text that was typed are known as well.
+TEST(ReadStudy, ALawInOtherWordsHasTheSameSeeds) {
+  const auto study = [](const std::string& value) {
+    return read("[sweep]\nlaws.polarization_rate = [\"" + value + "\"]\n");
+  };
+  const auto runs = [](const Study& s) { return planned_runs(s, values_text); };
+  const Study plain = study("r_pol/2"), other = study(" r_pol / 2");
+  EXPECT_EQ(runs(plain)[0].seed, runs(other)[0].seed);
+  EXPECT_EQ(runs(plain)[0].hash, runs(other)[0].hash);
+  EXPECT_NE(runs(plain)[0].seed, runs(study("r_pol/3"))[0].seed);
+  EXPECT_EQ(seed_as_typed(plain, runs(plain)[0]), runs(plain)[0].seed)
+      << "what is typed in the one spelling has kept its";
+  EXPECT_NE(seed_as_typed(other, runs(other)[0]), runs(other)[0].seed);
 }
 
 TEST(ReadStudy, EachFaultOfTheHead) {
@@ -215,7 +252,7 @@ TEST(ReadStudy, FurtherRulesAreJudgedOnceForTheSameValues) {
 
 TEST(ReadStudy, RulesOfOneNameAreToldApartByTheirKeys) {
   const auto rule = [](std::string_view key, const char* said) {
-    return Rule{"a law", {key}, [said](const Parameters&) { return std::string(said); }, {}, true};
+    return Rule{"a law", {key}, [said](const Parameters&) { return std::string(said); }, {}, {}, true};
   };
   const std::vector<Rule> more{rule("laws.fibre_stiffness", ""), rule("laws.curvature_factor", "is 2")};
   const std::string text = "preset = \"baseline\"\nreplicates = 3\n[set]\nlaws.fibre_stiffness = \"2\"\n"

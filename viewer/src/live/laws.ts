@@ -12,8 +12,11 @@ interface Laws {
   show(settings: Settings, refused: boolean): void;
 }
 
-/** "Eq. 5: stiffness of a fibre over k_0 (eps)" */
-const nameOf = ({ meaning, unit, arguments: names }: Law): string => `${meaning.split(/,| \[/)[0]} (${names.join(", ")})${unit ? `, ${pretty(unit)}` : ""}`;
+/** "Eq. 5: stiffness of a fibre over k_0 (eps)": the first clause of the meaning, which goes on with the arguments. */
+export function nameOf({ meaning, unit, arguments: names }: Law): string {
+  const clause = /^(?:Eq\. \d+: )?.*?(?=[.:;] |$)/.exec(meaning)?.[0] ?? meaning;
+  return `${clause} (${names.join(", ")})${unit ? `, ${pretty(unit)}` : ""}`;
+}
 
 /** @param set  a law is to be another from now on */
 export function laws(set: (path: string, formula: string) => void): Laws {

@@ -169,11 +169,19 @@ double FibreTable::energy(double strain) const {
   return beyond == 0.0 ? value : value + beyond * (tension(within) + 0.5 * beyond * stiffness(within));
 }
 
+namespace {
+
+const Row& stiffness_row() { return *find_row("laws.fibre_stiffness"); }
+
+} // namespace
+
+bool has_fibre_table(const Parameters& p) { return is_changed(stiffness_row(), p); }
+
 std::shared_ptr<const FibreTable> fibre_table(const Parameters& p) {
-  const Law law("laws.fibre_stiffness", p);
-  if (!law.changed()) return nullptr;
-  const Row& row = *find_row("laws.fibre_stiffness");
-  const LawVariable& strain = law_variables(row).front();
+  if (!has_fibre_table(p)) return nullptr;
+  const Row& row = stiffness_row();
+  const Law law(row.path, p);
+  const LawVariable& strain = row.arguments.front();
   return std::make_shared<const FibreTable>([&](double eps) { return law({eps}); }, strain.low, strain.high,
                                             law_numbers(row, p));
 }

@@ -72,7 +72,10 @@ private:
   bool m_pushes = false;
 };
 
-/// The table of a changed law; null for that of the paper.
+/// Whether the law of fibres is not that of the paper, which ecm/law/fibres.hpp has.
+bool has_fibre_table(const Parameters& p);
+
+/// The table of such a law; null for that of the paper.
 /// @throws std::invalid_argument if the law cannot be read or tabulated
 std::shared_ptr<const FibreTable> fibre_table(const Parameters& p);
 
