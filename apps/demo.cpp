@@ -36,11 +36,8 @@ std::filesystem::path free_folder() {
 }
 
 int demonstrate(const DemoArguments& options) {
-  const Preset* preset = find_preset(options.preset);
-  if (preset == nullptr)
-    throw UsageError(fmt::format("there is no preset \"{}\"; `matrigrate list` names them", options.preset));
-  const Parameters p =
-      apply_overrides(parameters_of(*preset), {fmt::format("run.duration={} h", options.hours)}, start_rules());
+  const Parameters p = apply_overrides(parameters_of(preset_named(options.preset)),
+                                       {fmt::format("run.duration={} h", options.hours)}, start_rules());
   const std::filesystem::path folder = options.folder.empty() ? free_folder() : std::filesystem::path(options.folder);
   print_error(fmt::format("{} of a cell that migrates through a gel of {:.0f} Pa, into {}/\n",
                           fmt::format("{:g} hours", options.hours), 1e3 * p.ecm.youngs_modulus, folder.string()));

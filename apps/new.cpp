@@ -3,7 +3,6 @@
 #include "base/failure.hpp"
 #include "base/file.hpp"
 #include "parameters/document.hpp"
-#include "parameters/nearest.hpp"
 #include "parameters/write.hpp"
 
 #include <CLI/CLI.hpp>
@@ -24,12 +23,18 @@ struct NewArguments {
 
 constexpr const char* schema_file = "scenario.schema.json";
 
-const Preset& preset_of(const std::string& name) {
-  if (const Preset* preset = find_preset(name)) return *preset;
-  std::vector<std::string> names;
-  for (const Preset& preset : presets()) names.emplace_back(preset.name);
-  throw UsageError(fmt::format("there is no preset \"{}\"{}\nThe presets are: {}", name,
-                               did_you_mean(nearest(name, names)), fmt::join(names, ", ")));
+/// The names of all presets, in lines of at most 100 characters.
+std::string preset_names() {
+  constexpr std::size_t widest = 100;
+  std::string text = "The presets:";
+  std::size_t width = text.size();
+  for (const Preset& preset : presets()) {
+    width += preset.name.size() + 1;
+    text += width > widest ? '\n' : ' ';
+    text += preset.name;
+    if (width > widest) width = preset.name.size();
+  }
+  return text;
 }
 
 /// Writes the schema beside a scenario, unless it is there already or something else has its name.
@@ -53,7 +58,7 @@ void write_schema(const std::filesystem::path& scenario) {
 }
 
 int write_scenario(const NewArguments& options) {
-  const Preset& preset = preset_of(options.preset);
+  const Preset& preset = preset_named(options.preset);
   if (excerpt(options.schema, options.schema.size()) != options.schema)
     throw UsageError("--schema: the path holds a line break, a control character, or bytes that are not UTF-8");
   if (std::filesystem::exists(std::filesystem::symlink_status(options.file)))
@@ -77,6 +82,7 @@ void add_new(CLI::App& app, Action& chosen) {
   verb->add_option("--schema", options->schema,
                    "The JSON schema that the first line names for editors, seen from FILE (default: "
                    "scenario.schema.json,\nwhich is then written beside FILE)");
+  verb->footer("")->footer([] { return preset_names(); }); // instead of the exit codes
   verb->callback([options, &chosen] { chosen = [options] { return write_scenario(*options); }; });
 }
 

@@ -89,10 +89,7 @@ Parameters read_values(const SampleArguments& options) {
   if (!values.seed && std::ranges::none_of(values.overrides, is_seed)) values.seed = std::to_string(new_seed());
   try {
     if (!options.scenario.empty()) return read_parameters(options.scenario, all_overrides(values), start_rules());
-    const Preset* preset = find_preset(options.preset);
-    if (preset == nullptr)
-      throw UsageError(fmt::format("there is no preset \"{}\"; `matrigrate list` names them", options.preset));
-    return apply_overrides(parameters_of(*preset), all_overrides(values), start_rules());
+    return apply_overrides(parameters_of(preset_named(options.preset)), all_overrides(values), start_rules());
   } catch (const ConfigurationError& error) {
     std::vector<Fault> faults = naming_options(error, values).faults();
     for (Fault& fault : faults)

@@ -1,11 +1,39 @@
 #include "parameters/presets.hpp"
 
+#include "parameters/nearest.hpp"
 #include "parameters/read.hpp"
+#include "parameters/document.hpp"
+#include "parameters/schema.hpp"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <string>
 
 namespace matrigrate {
+
+namespace {
+
+Preset preset_of(const Template& file) {
+  const std::size_t start = file.text.find("\n# ") + 3;
+  Preset preset{file.name, file.text.substr(start, file.text.find(".\n", start) - start), {}, file.text};
+  const Parameters p = parse_parameters(file.text, fmt::format("{}.toml", file.name));
+  const Parameters usual = parameters_of({});
+  for (const Row& row : schema()) {
+    std::string value = value_text(row, p);
+    if (value == value_text(row, usual)) continue;
+    std::erase(value, '"');
+    preset.overrides.push_back(fmt::format("{}={}", row.path, value));
+  }
+  return preset;
+}
+
+std::vector<Preset> with_templates(std::vector<Preset> all) {
+  for (const Template& file : templates()) all.push_back(preset_of(file));
+  return all;
+}
+
+} // namespace
 
 std::span<const Preset> presets() {
   const std::vector<std::string> uniaxial{"ecm.youngs_modulus=10 Pa", "fibres.arrangement=uniaxial",
@@ -21,7 +49,7 @@ std::span<const Preset> presets() {
     overrides.insert(overrides.end(), {"cell.start_x=-60 um", "output.track_interval=2 min"});
     return overrides;
   };
-  static const std::vector<Preset> all{
+  static const std::vector<Preset> all = with_templates({
       {"baseline", "The paper's baseline: a matrix of 200 Pa (Figs 5 to 7)", {}},
       {"second-closures",
        "The baseline with the second set of closures, the default of version 0.2.0",
@@ -113,7 +141,7 @@ std::span<const Preset> presets() {
       {"two-cells",
        "Two cells that begin 2 um apart (off the paper)",
        {"cells=[{x=\"-16 um\", y=\"0 um\"}, {x=\"16 um\", y=\"0 um\"}]"}},
-  };
+  });
   return all;
 }
 
@@ -121,6 +149,16 @@ const Preset* find_preset(std::string_view name) {
   const auto all = presets();
   const auto preset = std::ranges::find(all, name, &Preset::name);
   return preset == all.end() ? nullptr : &*preset;
+}
+
+const Preset& preset_named(const std::string& name) {
+  if (const Preset* preset = find_preset(name)) return *preset;
+  std::vector<std::string> names;
+  for (const Preset& preset : presets()) names.emplace_back(preset.name);
+  Fault fault;
+  fault.message = fmt::format("there is no preset \"{}\"{}\nThe presets are: {}", excerpt(name),
+                              did_you_mean(nearest(name, names)), fmt::join(names, ", "));
+  throw ConfigurationError({fault});
 }
 
 Parameters parameters_of(const Preset& preset) {

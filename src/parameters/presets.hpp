@@ -2,7 +2,6 @@
 
 #include "parameters/parameters.hpp"
 
-#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -15,12 +14,25 @@ struct Preset {
   std::string_view name;
   std::string_view description;
   std::vector<std::string> overrides; ///< what differs from the defaults, as after --set
+  std::string_view text{};            ///< of a template: its file, with the source of each number; else empty
 };
 
+/// Those of the program, then the templates.
 std::span<const Preset> presets();
+
+/// A cell in a gel, with the source of each number in its comments: a file of scenarios/templates, which the program
+/// carries with it (cmake/shipped.cmake). The second line describes it.
+struct Template {
+  std::string_view name; ///< of the file, without its ending
+  std::string_view text;
+};
+std::span<const Template> templates();
 
 /// @return the preset of that name, or null
 const Preset* find_preset(std::string_view name);
+
+/// @throws ConfigurationError, with all names, if there is none of that name
+const Preset& preset_named(const std::string& name);
 
 Parameters parameters_of(const Preset& preset);
 

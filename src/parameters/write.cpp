@@ -191,6 +191,7 @@ std::string values_text(const Parameters& p) {
 }
 
 std::string new_scenario(const Preset& preset, const std::string& schema) {
+  if (!preset.text.empty()) return fmt::format("#:schema {}{}", schema, preset.text.substr(preset.text.find('\n')));
   const Parameters p = parameters_of(preset);
   std::string text =
       fmt::format("#:schema {}\n# {}.\n#\n"

@@ -15,7 +15,7 @@ std::string to_toml(const Parameters& p);
 std::string values_text(const Parameters& p);
 
 /// The scenario that `new` writes: the usual parameters to be edited, the numerical ones commented out at their
-/// defaults.
+/// defaults; of a template its file.
 /// @param schema  where json_schema() lies, seen from the file, for the first line, by which editors find it
 std::string new_scenario(const Preset& preset, const std::string& schema);
 

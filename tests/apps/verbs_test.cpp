@@ -57,8 +57,10 @@ TEST_F(Program, UsageErrors) {
   EXPECT_EQ(verb.code, 2);
   EXPECT_TRUE(verb.err.starts_with("matrigrate: there is no verb \"exlpain\"; did you mean explain?\n")) << verb.err;
   const Ended preset = run("new f.toml --preset sotf");
-  EXPECT_EQ(preset.code, 2);
-  EXPECT_TRUE(contains(preset.err, "did you mean soft?")) << preset.err;
+  EXPECT_EQ(preset.code, 3);
+  EXPECT_TRUE(contains(preset.err, "there is no preset \"sotf\"; did you mean soft?\nThe presets are: baseline, "))
+      << preset.err;
+  for (const Template& file : templates()) EXPECT_TRUE(contains(preset.err, std::string(file.name))) << preset.err;
   const Ended which = run("validate pach");
   EXPECT_EQ(which.code, 2);
   EXPECT_TRUE(contains(which.err, "did you mean patch?")) << which.err;
@@ -225,6 +227,19 @@ TEST_F(Program, CheckSpeaksJson) {
   EXPECT_EQ(fault.at("line"), 2);
   EXPECT_EQ(fault.at("column"), 10);
   EXPECT_EQ(fault.at("key"), "ecm.radius");
+}
+
+TEST_F(Program, NewWritesTemplatesWithTheirSources) {
+  ASSERT_GE(templates().size(), 3U);
+  const std::string help = run("new --help").out;
+  for (const Template& file : templates()) {
+    const std::string name(file.name);
+    ASSERT_EQ(run(fmt::format("new {0}.toml --preset {0}", name)).code, 0);
+    EXPECT_EQ(text_of(folder / (name + ".toml")),
+              "#:schema scenario.schema.json" + std::string(file.text.substr(file.text.find('\n'))));
+    EXPECT_EQ(run("check " + name + ".toml").code, 0) << name;
+    EXPECT_TRUE(contains(help, name)) << help;
+  }
 }
 
 TEST_F(Program, ListShowsWhatShips) {

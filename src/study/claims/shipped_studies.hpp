@@ -10,7 +10,7 @@
 
 namespace matrigrate::study {
 
-/// A study of the folder studies/, which the program carries with it (cmake/studies.cmake).
+/// A study of the folder studies/, which the program carries with it (cmake/shipped.cmake).
 struct ShippedStudy {
   std::string_view name; ///< of the file, without its ending
   std::string_view text;

@@ -15,6 +15,8 @@
 #include <filesystem>
 #include <random>
 #include <regex>
+#include <set>
+#include <sstream>
 
 namespace matrigrate {
 namespace {
@@ -169,6 +171,40 @@ TEST(Write, PresetsAreGoodAndDiffer) {
 TEST(Write, AScenarioReadsBackAsItsPreset) {
   for (const Preset& preset : presets())
     EXPECT_TRUE(same(parse_parameters(new_scenario(preset, "s.json"), "f.toml"), parameters_of(preset))) << preset.name;
+}
+
+/// The comment above each value says where it is from, or that it is assumed. Only what a lab can measure may differ
+/// from the baseline, no closure.
+TEST(Write, EachValueOfATemplateHasItsSource) {
+  const std::regex source(R"([A-Z][A-Za-z-]+ et al\. (19|20)\d\d\b|\bassumed\b)");
+  const std::set<std::string> measured{"ecm.youngs_modulus",     "ecm.poissons_ratio",         "ecm.viscosity",
+                                       "fibres.arrangement",     "fibres.direction_deg",       "fibres.stiffness",
+                                       "fibres.onset",           "fibres.stiffening_strain",   "cell.radius",
+                                       "cell.particles",         "actomyosin.force",           "protrusion.number",
+                                       "protrusion.growth_time", "protrusion.initiation_rate", "adhesion.r_off_min"};
+  for (const Template& file : templates()) {
+    std::istringstream lines{std::string(file.text)};
+    std::string section;
+    std::string comment; // that of the values below it, up to the next one or an empty line
+    bool has_value = false;
+    std::size_t values = 0;
+    for (std::string line; std::getline(lines, line);) {
+      const std::size_t equals = line.find(" = ");
+      if (line.starts_with("#")) {
+        comment = has_value ? line : comment + line;
+        has_value = false;
+      } else if (equals == std::string::npos) {
+        comment.clear();
+        if (line.starts_with("[")) section = line.substr(1, line.size() - 2);
+      } else if (has_value = true; section != "run") { // whose integrator is numerics
+        EXPECT_TRUE(std::regex_search(comment, source)) << file.name << ": " << line;
+        EXPECT_TRUE(measured.contains(section + "." + line.substr(0, equals))) << file.name << ": " << line;
+        ++values;
+      }
+    }
+    EXPECT_GE(values, 2U) << file.name;
+    EXPECT_EQ(std::string(file.text), committed(fmt::format("scenarios/templates/{}.toml", file.name)));
+  }
 }
 
 TEST(Write, AScenarioShowsEveryParameterAndHidesNumerics) {
