@@ -1,8 +1,8 @@
 #include "parameters/presets.hpp"
 
+#include "parameters/document.hpp"
 #include "parameters/nearest.hpp"
 #include "parameters/read.hpp"
-#include "parameters/document.hpp"
 #include "parameters/schema.hpp"
 
 #include <fmt/format.h>
