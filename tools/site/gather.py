@@ -43,7 +43,7 @@ def outside_code(text: str, change, spans: bool = True) -> str:
 
 def _for_mkdocs(text: str) -> str:
     """GitHub's Markdown as Python-Markdown reads it."""
-    text = outside_code(text, lambda part: re.sub(r"<!--(?! (?:reports|live|figures) ).*?-->\n?", "", part, flags=re.DOTALL), spans=False)
+    text = outside_code(text, lambda part: re.sub(r"<!--(?! (?:reports|live|figures:) ).*?-->\n?", "", part, flags=re.DOTALL), spans=False)
     text = outside_code(text, _lists, spans=False)
     return re.sub(r"^```([^\n]*)\n(.*?)^```$", lambda match: _fence(match[1], match[2]), text, flags=re.MULTILINE | re.DOTALL)
 
