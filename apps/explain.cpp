@@ -4,7 +4,6 @@
 #include "draw/particle_picture.hpp"
 #include "draw/text_plot.hpp"
 #include "parameters/laws/law.hpp"
-#include "parameters/laws/law_curves.hpp"
 #include "parameters/read.hpp"
 #include "run/estimate.hpp"
 #include "run/folder_state.hpp"

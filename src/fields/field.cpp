@@ -72,8 +72,4 @@ bool names_one_file(const std::string& text) {
   }
 }
 
-Formula::Formula(const std::string& text) : m_expression(text, variables) {}
-
-double Formula::at(const Vec2& x) const { return m_expression.at(std::array{x.x(), x.y(), std::hypot(x.x(), x.y())}); }
-
 } // namespace matrigrate::fields

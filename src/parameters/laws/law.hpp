@@ -3,6 +3,7 @@
 #include "fields/expression.hpp"
 #include "parameters/schema.hpp"
 
+#include <cstddef>
 #include <initializer_list>
 #include <span>
 #include <string>
@@ -76,6 +77,19 @@ std::vector<const Row*> changed_laws(const Parameters& p);
 
 /// The constants of the user that a law names: "F_c = 0.05 nN, r_c = 0.2 1/s".
 std::string constants_of(const Row& law, const Parameters& p);
+
+/// The values of a law over one of its arguments, between drawn_low and drawn_high, the others at their usual values.
+struct LawCurve {
+  LawVariable over;
+  std::string at; ///< those of the others that matter: "f_mat = 0.5, t = 0 s"; empty where none does
+  std::vector<double> x;
+  std::vector<double> usual;   ///< of the default law, with the parameters as they are
+  std::vector<double> changed; ///< not finite where it is so
+};
+
+/// Over each argument that the law depends on; of one that depends on none, over the first of the default law.
+/// @param points  >= 2
+std::vector<LawCurve> law_curves(const Parameters& p, const Row& law, std::size_t points);
 
 /// What is doubtful about the changed laws, a sentence each: constants that none names, and comparisons that come out
 /// alike wherever a law is judged, such as angle < 90 of an angle in rad.

@@ -1,6 +1,6 @@
 #include "report/run_page.hpp"
 
-#include "parameters/laws/law_curves.hpp"
+#include "parameters/laws/law.hpp"
 #include "parameters/schema.hpp"
 #include "report/film_json.hpp"
 #include "tables/csv.hpp"

@@ -3,7 +3,6 @@
 #include "base/failure.hpp"
 #include "base/file.hpp"
 #include "faults.hpp"
-#include "parameters/laws/law_curves.hpp"
 #include "parameters/laws/law_names.hpp"
 #include "parameters/laws/law_values.hpp"
 #include "parameters/write.hpp"
