@@ -20,10 +20,10 @@ budget = {
     "python": 6928,
     "R": 751,
     "web": 1243,
-    "viewer/src": 10605,
+    "viewer/src": 10597,
 }
-wide = {"python": 6928, "R": 751, "web": 1243, "viewer/src": 10605}  # lines of more than 120 columns
-most_files = 1250
+wide = {"python": 336, "R": 45, "web": 43, "viewer/src": 217}  # lines of more than 120 columns
+most_files = 1241
 endings = (".cpp", ".hpp", ".h", ".py", ".ts", ".css", ".mjs", ".R")
 
 

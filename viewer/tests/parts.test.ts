@@ -5,7 +5,7 @@ import { protrusionRows, tracks } from "../sample/life";
 import { pack, random } from "../sample/pack";
 import { sampleStudy } from "../sample/study";
 import { unpack, valueAt } from "../src/embedded";
-import { nameOf } from "../src/live/laws";
+import { nameOf } from "../src/live/scenario";
 import { travelled, travelledText } from "../src/live/results";
 import { addTracks, noTracks } from "../src/live/scene";
 import { pretty, pText, readable, roundStep, stars, ticks, timeText } from "../src/numbers";

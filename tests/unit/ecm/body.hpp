@@ -1,13 +1,18 @@
 #pragma once
 
 #include "ecm/reference.hpp"
+#include "solve/drag_system.hpp"
 #include "state/initial.hpp"
 
-#include <cmath>
+#include <gtest/gtest.h>
 
-/// A free body in an arbitrary smooth deformation, partly degraded; a fixture of several tests.
+#include <cmath>
+#include <utility>
+#include <vector>
+
 namespace matrigrate {
 
+/// A free body in an arbitrary smooth deformation, partly degraded; a fixture of several tests.
 inline EcmState deformed_body(const EcmParameters& p) {
   EcmState ecm = rectangle(p, 30.0, 24.0, 0.0);
   for (std::size_t i = 0; i < ecm.size(); ++i) {
@@ -20,6 +25,19 @@ inline EcmState deformed_body(const EcmParameters& p) {
     if (X.norm() < 4.0) ecm.f[i] = 0.0;
   }
   return ecm;
+}
+
+/// The drag of the matrix, coefficient by coefficient.
+inline void expect_same(const DragSystem& a, const DragSystem& b) {
+  EXPECT_EQ(a.diagonal, b.diagonal);
+  EXPECT_EQ(a.prescribed, b.prescribed);
+  EXPECT_EQ(a.F, b.F);
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    std::vector<std::pair<std::size_t, float>> of_a, of_b;
+    a.pairs.each_of_row(i, [&](std::size_t j, float G) { of_a.emplace_back(j, G); });
+    b.pairs.each_of_row(i, [&](std::size_t j, float G) { of_b.emplace_back(j, G); });
+    EXPECT_EQ(of_a, of_b) << "row " << i;
+  }
 }
 
 } // namespace matrigrate

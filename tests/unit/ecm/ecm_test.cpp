@@ -4,7 +4,6 @@
 #include "ecm/drag_cache.hpp"
 #include "ecm/loop/fibres.hpp"
 #include "ecm/reference.hpp"
-#include "same_drag.hpp"
 #include "state/initial.hpp"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,3 @@
-#include "samples.hpp"
 #include "statistics/bootstrap.hpp"
 #include "statistics/compare.hpp"
 #include "statistics/correlation.hpp"
@@ -15,6 +14,10 @@
 
 namespace matrigrate::statistics {
 namespace {
+
+/// Hours of sleep gained with two drugs (Student 1908), the data set `sleep` of R.
+const std::vector<double> sleep_1{0.7, -1.6, -0.2, -1.2, -0.1, 3.4, 3.7, 0.8, 0.0, 2.0};
+const std::vector<double> sleep_2{1.9, 0.8, 1.1, 0.1, -0.1, 4.4, 5.5, 1.6, 4.6, 3.4};
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 

@@ -1,9 +1,8 @@
 /** What a person sets: preset, seed, sliders, a scenario of one's own. */
 import { h } from "../dom";
 import { readable } from "../numbers";
-import { laws } from "./laws";
+import { laws, now, pascals, type Scenario, type Settings } from "./scenario";
 import type { Law, Preset } from "./protocol";
-import { now, pascals, type Scenario, type Settings } from "./scenario";
 
 interface Slider {
   path: string;

@@ -1,7 +1,8 @@
 /** The live page: the simulation runs in a worker of this tab, and the player draws it as it goes. */
 import { fault, h } from "../dom";
 import "../page.css";
-import "../run/styles";
+import "../run/stage.css";
+import "../run/plots.css";
 import "./live.css";
 import { about } from "./lesson";
 import { unable } from "./troubles";

@@ -11,10 +11,9 @@ import { visitedBox, outlineAt, placeAt, type Film, type Place } from "./frames"
 import { attachGestures } from "./gestures";
 import { overlays, type Layer, type OverlayKey, type Shown } from "./matrix/layers";
 import type { Pen } from "./over/pen";
-import type { ParticleScene } from "./matrix/particle_scene";
+import type { ParticleScene, SharedScales } from "./matrix/shared";
 import { particlePainter } from "./matrix/particles";
 import { isDarkGround, LayerScale } from "./matrix/scale";
-import type { SharedScales } from "./matrix/shared";
 import type { Coloured, View } from "./stage_view";
 import { fibreLayer, fibreRows } from "./over/fibres";
 import { resample, valueOfNearest, valueOn, type Patch } from "./matrix/resample";

@@ -5,7 +5,8 @@ import { Clock } from "./clock";
 import { film } from "./frames";
 import { player } from "./player";
 import { plots } from "./plots";
-import "./styles";
+import "./stage.css";
+import "./plots.css"; // for narrow screens and paper: last
 import type { SharedScales } from "./matrix/shared";
 import type { Stage } from "./stage";
 import { protrusionTable, timeline } from "./timeline";

@@ -6,7 +6,6 @@
 #include "ecm/loop/viscosity.hpp"
 #include "sph/neighbours.hpp"
 #include "unit/ecm/body.hpp"
-#include "unit/ecm/same_drag.hpp"
 
 #include <Eigen/Cholesky>
 #include <gtest/gtest.h>

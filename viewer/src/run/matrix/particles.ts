@@ -1,7 +1,7 @@
 /** The matrix: the interpolated field, or a square for each particle. */
 import { css, gelOnDark, gelOnLight, lookUp, type Rgb } from "../../colour";
 import { between, solidFrom, type Film } from "../frames";
-import type { ParticleScene } from "./particle_scene";
+import type { ParticleScene } from "./shared";
 import { particleValue } from "./resample";
 import { smoothPainter } from "./smooth";
 

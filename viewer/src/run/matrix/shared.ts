@@ -1,7 +1,10 @@
 /** What runs beside each other have in common, so that their pictures can be compared: limits of colours, lengths of arrows. */
+import type { Camera } from "../camera";
+import type { Place } from "../frames";
 import type { Usual } from "../over/arrows";
 import type { Layer } from "./layers";
-import { Limits } from "./scale";
+import type { Patch } from "./resample";
+import { Limits, type Scale } from "./scale";
 
 export class SharedScales {
   /** Of all runs together. */
@@ -46,4 +49,18 @@ export class SharedScales {
   tell(by: object | null): void {
     for (const [member, changed] of this.members) if (member !== by) changed();
   }
+}
+
+// What the painter of the matrix is given.
+
+export interface ParticleScene {
+  place: Place;
+  layer: Layer;
+  scale: Scale;
+  camera: Camera;
+  dark: boolean;
+  /** The layer interpolated over what is seen; null: particles are drawn as squares. */
+  patch: Patch | null;
+  /** Pixels of the canvas in a pixel of the page. */
+  pixels: number;
 }

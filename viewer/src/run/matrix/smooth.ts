@@ -1,6 +1,6 @@
 /** The interpolated matrix: computed at every few pixels, and enlarged smoothly by the browser. */
 import { gelOnDark, gelOnLight, lookUp, type Rgb } from "../../colour";
-import type { ParticleScene } from "./particle_scene";
+import type { ParticleScene } from "./shared";
 import { channels, contourEnds, coverage, leastShare, solidShare, type Patch } from "./resample";
 import { hatchPeriod, hatchStrength, hatchWidth, isBright, type Scale } from "./scale";
 
