@@ -205,7 +205,7 @@ test("plots beside each other stand on one level, and one without a value is sai
   );
   assert.equal(boxes.length, study.readouts.length - 1);
   for (let i = 0; i + 1 < boxes.length; i += 2) assert.deepEqual(boxes[i], boxes[i + 1]);
-  assert.match((await page.locator("#readouts .empty").textContent()) ?? "", /No run has a value of: length at the end of growth/);
+  assert.match((await page.locator("#readouts .empty").textContent()) ?? "", /Nothing has a value of: length at the end of growth/);
   await page.context().close();
 });
 
