@@ -248,16 +248,15 @@ TEST(Sample, WhatIsNotDefinedIsNaN) {
   EXPECT_TRUE(std::isnan(moments(std::vector{1.0}).sd));
   EXPECT_TRUE(std::isnan(quantile({}, 0.5)));
   EXPECT_TRUE(std::isnan(box({}).low_whisker));
-  const double nan = std::numeric_limits<double>::quiet_NaN();
   EXPECT_EQ(finite(std::vector{1.0, nan, 2.0}), (std::vector{1.0, 2.0}));
 }
 
 TEST(Sample, QuartilesAsInR) {
-  const std::vector<double> x{10, 1, 2, 3, 4, 5, 6, 7, 8, 9};
-  EXPECT_DOUBLE_EQ(quantile(x, 0.25), 3.25); // R: quantile(1:10)
-  EXPECT_DOUBLE_EQ(quantile(x, 0.5), 5.5);
-  EXPECT_DOUBLE_EQ(quantile(x, 0.75), 7.75);
-  EXPECT_DOUBLE_EQ(quantile(x, 1.0), 10.0);
+  const std::vector<double> ten{10, 1, 2, 3, 4, 5, 6, 7, 8, 9};
+  EXPECT_DOUBLE_EQ(quantile(ten, 0.25), 3.25); // R: quantile(1:10)
+  EXPECT_DOUBLE_EQ(quantile(ten, 0.5), 5.5);
+  EXPECT_DOUBLE_EQ(quantile(ten, 0.75), 7.75);
+  EXPECT_DOUBLE_EQ(quantile(ten, 1.0), 10.0);
 }
 
 TEST(Sample, WhiskersEndAtTheBoxWhereTheInnermostValueLiesWithinIt) { // as matplotlib has it
