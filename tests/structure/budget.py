@@ -11,7 +11,7 @@ budget = {
     "src/fields": 2858,
     "src/statistics": 729,
     "src/tracks": 4027,
-    "src/parameters": 5267,
+    "src/parameters": 5268,
     "src/model": 10883,
     "src/run": 10545,
     "src/validation": 2831,
