@@ -22,7 +22,7 @@ class WithCore(build_py):
         package = Path(self.build_lib) / "matrigrate"
         for table in ("docs/scenario.schema.json", "docs/readouts.json", "viewer/src/colours.json"):
             shutil.copy2(_root / table, package)
-        subprocess.run([sys.executable, "-B", _root / "tools" / "stubs.py", package / "_sections.pyi"], check=True)
+        subprocess.run([sys.executable, "-B", _root / "tools" / "stubs.py", package / "scenario" / "sections.pyi"], check=True)
         for page in _live:
             shutil.copy2(page, package / "live.html")
         for module in _built:

@@ -7,7 +7,7 @@ install(FILES docs/scenario.schema.json docs/readouts.json viewer/src/colours.js
 find_program(MATRIGRATE_PYTHON python3) # writes the types of the package, for editors
 if(MATRIGRATE_PYTHON)
   install(CODE "execute_process(COMMAND ${MATRIGRATE_PYTHON} -B ${CMAKE_SOURCE_DIR}/tools/stubs.py
-    \$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/lib/python3/dist-packages/matrigrate/_sections.pyi COMMAND_ERROR_IS_FATAL ANY)")
+    \$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/lib/python3/dist-packages/matrigrate/scenario/sections.pyi COMMAND_ERROR_IS_FATAL ANY)")
 endif()
 install(DIRECTORY R/ DESTINATION ${data}/R) # R CMD INSTALL /usr/share/matrigrate/R
 install(FILES CITATION.cff MODEL.md README.md CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DOCDIR})

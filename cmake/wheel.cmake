@@ -7,7 +7,7 @@ if(TARGET matrigrate_python)
   install(FILES docs/scenario.schema.json docs/readouts.json viewer/src/colours.json DESTINATION matrigrate COMPONENT wheel EXCLUDE_FROM_ALL)
   install(FILES ${MATRIGRATE_LIVE_PAGE} DESTINATION matrigrate RENAME live.html COMPONENT wheel EXCLUDE_FROM_ALL OPTIONAL)
   install(CODE "execute_process(COMMAND ${Python3_EXECUTABLE} -B ${PROJECT_SOURCE_DIR}/tools/stubs.py
-    \${CMAKE_INSTALL_PREFIX}/matrigrate/_sections.pyi COMMAND_ERROR_IS_FATAL ANY)" COMPONENT wheel EXCLUDE_FROM_ALL)
+    \${CMAKE_INSTALL_PREFIX}/matrigrate/scenario/sections.pyi COMMAND_ERROR_IS_FATAL ANY)" COMPONENT wheel EXCLUDE_FROM_ALL)
   if(SKBUILD)
     install(PROGRAMS python/command/matrigrate DESTINATION ${SKBUILD_SCRIPTS_DIR} COMPONENT wheel EXCLUDE_FROM_ALL)
   endif()

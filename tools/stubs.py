@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Types of the sections and parameters of a scenario for editors and type checkers, made from the schema.
 
-stubs.py [FILE]     writes FILE (default: python/matrigrate/_sections.pyi, for editors that work on this tree)
+stubs.py [FILE]     writes FILE (default: python/matrigrate/scenario/sections.pyi, for editors that work on this tree)
 
 A wheel and a Debian package contain the file, made by setup.py and cmake/package.cmake; the repository does not.
 """
@@ -15,9 +15,10 @@ package = types.ModuleType("matrigrate")  # without its __init__.py, which needs
 package.__path__ = [str(root / "python" / "matrigrate")]
 sys.modules["matrigrate"] = package
 
-from matrigrate import _schema, _sections  # noqa: E402
+from matrigrate.scenario import schema  # noqa: E402
+from matrigrate.scenario import sections  # noqa: E402
 
-stub = root / "python" / "matrigrate" / "_sections.pyi"
+stub = root / "python" / "matrigrate" / "scenario" / "sections.pyi"
 head = '''"""Made from scenario.schema.json by tools/stubs.py; do not edit.
 
 Reading a parameter gives a number in the unit that its docstring names; writing takes such a number or a text with a unit.
@@ -41,7 +42,7 @@ def doc(text: str, indent: str) -> str:
     return f'{indent}"""{quoted}{" " if quoted.endswith(chr(34)) else ""}"""\n'
 
 
-def type_of(p: _schema.Parameter) -> str:
+def type_of(p: schema.Parameter) -> str:
     if p.kind == "choice":
         return f"Literal[{', '.join(f'{choice!r}'.replace(chr(39), chr(34)) for choice in p.choices)}]"
     return {"quantity": "_Quantity", "angle": "_Quantity", "ratio": "float", "integer": "int", "boolean": "bool",
@@ -49,22 +50,22 @@ def type_of(p: _schema.Parameter) -> str:
 
 
 def section(name: str, title: str) -> str:
-    text = f"class {_sections.class_name(name)}(Section):\n" + doc(title + ".", "    ")
-    for within in _sections.inner(name):
+    text = f"class {sections.class_name(name)}(Section):\n" + doc(title + ".", "    ")
+    for within in sections.inner(name):
         text += reads(within, within.rsplit(".", 1)[1])
-    for p in _sections.of(name):
-        text += f"    {p.key}: {type_of(p)}\n" + doc(_sections.help_text(p), "    ")
+    for p in sections.of(name):
+        text += f"    {p.key}: {type_of(p)}\n" + doc(sections.help_text(p), "    ")
     return text + "\n"
 
 
 def reads(name: str, attribute: str) -> str:
-    return (f"    @property\n    def {attribute}(self) -> {_sections.class_name(name)}:\n"
-            + doc(_schema.sections()[name] + ".", "        "))
+    return (f"    @property\n    def {attribute}(self) -> {sections.class_name(name)}:\n"
+            + doc(schema.sections()[name] + ".", "        "))
 
 
 def signatures() -> str:
     """The functions of the module as they stand in its source."""
-    source = (root / "python" / "matrigrate" / "_sections.py").read_text(encoding="utf-8")
+    source = (root / "python" / "matrigrate" / "scenario" / "sections.py").read_text(encoding="utf-8")
     text = ""
     for node in ast.parse(source).body:
         if isinstance(node, ast.FunctionDef) and not node.name.startswith("_"):
@@ -73,12 +74,12 @@ def signatures() -> str:
 
 
 def made() -> str:
-    text = head + "class Section:\n" + doc(_sections.Section.__doc__.strip(), "    ")
+    text = head + "class Section:\n" + doc(sections.Section.__doc__.strip(), "    ")
     text += "    def __init__(self, scenario: Scenario) -> None: ...\n\n"
-    for name, title in _schema.sections().items():
+    for name, title in schema.sections().items():
         text += section(name, title)
-    text += "class Sections:\n" + doc(_sections.Sections.__doc__, "    ")
-    text += "".join(reads(name, name) for name in _schema.sections() if "." not in name)
+    text += "class Sections:\n" + doc(sections.Sections.__doc__, "    ")
+    text += "".join(reads(name, name) for name in schema.sections() if "." not in name)
     return text + "\nclasses: dict[str, type[Section]]\n\n" + signatures()
 
 

@@ -17,18 +17,17 @@
 Units are um, s, nN, stress in Pa; they stand in the names of columns. The tutorial is docs/python.md.
 """
 from . import calibrate, exchange, plot, tracks, truth
-from ._cells import CellOfRun, CellsOfRun
-from ._live import live
-from ._schema import Parameter
 from ._version import __version__
-from .errors import (ConfigurationError, CoreNotFound, Fault, InputOutputError, InternalError, KeyboardStop,
-                     MatrigrateError, NumericalError, ProgramNotFound, Stopped, UnknownParameter, UsageError)
-from .fields import Field, Fields
-from .results import Readouts, ReadoutsOfCells, Run, load, meaning
-from .scenario import Scenario, Section
-from .simulate import run, run_study
+from .base.live import live
+from .errors import ConfigurationError, CoreNotFound, Fault, InputOutputError, InternalError, KeyboardStop, MatrigrateError, NumericalError, ProgramNotFound, Stopped, UnknownParameter, UsageError
+from .results.cells import CellOfRun, CellsOfRun
+from .results.fields import Field, Fields
+from .results.results import Readouts, ReadoutsOfCells, Run, load, meaning
+from .results.simulate import run, run_study
+from .results.studies import Runs, Study, load_study
+from .scenario.scenario import Scenario, Section
+from .scenario.schema import Parameter
 from .simulation import Cell, Matrix, Simulation
-from .studies import Runs, Study, load_study
 
 __all__ = [
     "Cell", "CellOfRun", "CellsOfRun", "ConfigurationError", "CoreNotFound", "Fault", "Field", "Fields",

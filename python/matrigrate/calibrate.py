@@ -12,9 +12,9 @@ from __future__ import annotations
 
 from typing import Any
 
-from ._fit import Emulators, emulate, fit
-from ._posterior import Fit
 from .errors import ConfigurationError
+from .fit.fit import Emulators, emulate, fit
+from .fit.posterior import Fit
 
 __all__ = ["Emulators", "Fit", "emulate", "fit"]
 

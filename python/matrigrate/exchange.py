@@ -16,10 +16,11 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from . import _arguments, _raster, results
 from ._version import __version__
+from .base import arguments as _arguments
 from .errors import MatrigrateError
-from .fields import Fields
+from .results import raster, results
+from .results.fields import Fields
 
 if TYPE_CHECKING:
     import pandas
@@ -165,10 +166,10 @@ def _nearest(places: Array, middles: Array, radius: float, spacing: float) -> Ar
 def _cells(outlines: dict[int, Array], middles: Array) -> Array:
     """The number of the cell in which the middle of each pixel lies; 0 outside."""
     half = float(middles[-1] + 0.5 * (middles[1] - middles[0]))
-    grid = _raster.Grid.over((-half, half, -half, half), 2 * half / len(middles))
+    grid = raster.Grid.over((-half, half, -half, half), 2 * half / len(middles))
     numbers = np.zeros(grid.shape, np.float32)
     for number, outline in outlines.items():
-        numbers[_raster.inside(grid, outline.astype(float))] = number
+        numbers[raster.inside(grid, outline.astype(float))] = number
     return numbers
 
 

@@ -11,9 +11,10 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from . import _arguments, _drawing, _fibres, _words
-from .results import Run
-from .studies import Runs, Study
+from .base import arguments
+from .draw import drawing, fibres, words as _words
+from .results.results import Run
+from .results.studies import Runs, Study
 from .tracks import Tracks
 
 if TYPE_CHECKING:
@@ -32,10 +33,10 @@ def path(run: Run | Tracks | Mapping[str, Run], axes: Axes | None = None, *, tog
     """
     if isinstance(run, Tracks):
         axes = axes or _new_axes()
-        _drawing.track_paths(axes, run, together)
+        drawing.track_paths(axes, run, together)
         _plane(axes)
         return axes
-    runs = {"": _arguments.one_of("run", run, Run)} if not isinstance(run, Mapping) else dict(run)
+    runs = {"": arguments.one_of("run", run, Run)} if not isinstance(run, Mapping) else dict(run)
     _pyplot()  # says what is missing before tables are read
     named_by = _labels(run.study) if isinstance(run, Runs) and run.study is not None else {}
     paths = [(named_by.get(name, _words.plain(name)), number, cell.tracks) for name, one in runs.items() for number, cell in one.cells.items()]
@@ -50,14 +51,14 @@ def path(run: Run | Tracks | Mapping[str, Run], axes: Axes | None = None, *, tog
         named.add(line)
         colour = _colours[lines.index(line) % len(_colours)]
         if len(runs) == 1 and len(paths) > 1:  # as in frames
-            colour = _drawing.colours_of(number, len(paths))[0]
+            colour = drawing.colours_of(number, len(paths))[0]
         x, y = track["x_um"], track["y_um"]
         axes.plot(x, y, color=colour, linewidth=1.2, label=label)
         axes.plot(x.iloc[:1], y.iloc[:1], "o", color=colour, markerfacecolor="white", zorder=4)
         axes.plot(x.iloc[-1:], y.iloc[-1:], "o", color=colour, zorder=4)
     if len(paths) == 1 and len(paths[0][2]) > 1:
         track = paths[0][2]
-        shown = _drawing.path_in_time(axes, track["x_um"].to_numpy(), track["y_um"].to_numpy(), track["t_s"].to_numpy() / 60)
+        shown = drawing.path_in_time(axes, track["x_um"].to_numpy(), track["y_um"].to_numpy(), track["t_s"].to_numpy() / 60)
         axes.figure.colorbar(shown, ax=axes, label="time (min)", shrink=0.8)
     _plane(axes)
     if 1 < len(lines) <= 8:
@@ -88,7 +89,7 @@ def frame(run: Run, t: float | None = None, field: str = "displacement", axes: A
     :raises KeyError: with the fields that there are, if there is no such field
     :raises ValueError: if there is no such window, cell or part
     """
-    fields = _arguments.one_of("run", run, Run).fields
+    fields = arguments.one_of("run", run, Run).fields
     k = len(fields.times) - 1 if t is None else fields.nearest(t)
     particles = fields["matrix/f_degr"].shape[1]
     known = [name.removeprefix("matrix/") for name in fields if name.startswith("matrix/") and name != "matrix/reference"
@@ -96,16 +97,16 @@ def frame(run: Run, t: float | None = None, field: str = "displacement", axes: A
     if field not in (*known, "degradation"):
         raise KeyError(f"{field}; the fields of the matrix are {', '.join(known)}")
     outlines = fields.outlines(k)
-    hidden = _drawing.check_view(window, follow, hide, outlines)
+    hidden = drawing.check_view(window, follow, hide, outlines)
     shown = fields[f"matrix/{field}"]
     field = shown.name.removeprefix("matrix/")
     axes = axes or _new_axes(figsize=(6.6, 5.6))
-    seen = _drawing.window_of(fields, k, window, follow)
+    seen = drawing.window_of(fields, k, window, follow)
     axes.set(xlim=seen[:2], ylim=seen[2:], title=_words.time_text(fields.times[k]))
     _plane(axes)
-    low, high, beyond = _drawing.limits_of(fields, field) if limits is None else (*limits, "neither")
-    colours = _drawing.matrix(axes, fields, field, k, seen, (low, high), fluid)
-    strain = None if "fibres" in hidden else _fibres.paint(axes, fields, run.scenario, k)
+    low, high, beyond = drawing.limits_of(fields, field) if limits is None else (*limits, "neither")
+    colours = drawing.matrix(axes, fields, field, k, seen, (low, high), fluid)
+    strain = None if "fibres" in hidden else fibres.paint(axes, fields, run.scenario, k)
     unit = _draw_cells(axes, run, k, outlines, hidden)
     axes.set(xlim=seen[:2], ylim=seen[2:])
     if "colour bar" not in hidden:
@@ -115,9 +116,9 @@ def frame(run: Run, t: float | None = None, field: str = "displacement", axes: A
             axes.figure.colorbar(strain, ax=axes, label="strain of fibres", shrink=0.8, extend="both")
     if "scale bar" not in hidden:
         axes.set(xticks=[], yticks=[], xlabel="", ylabel="")
-        _drawing.scale_bar(axes, unit, list(outlines.values()))
+        drawing.scale_bar(axes, unit, list(outlines.values()))
     if "legend" not in hidden:
-        _drawing.legend(axes, fields, hidden, len(outlines), k > 0)
+        drawing.legend(axes, fields, hidden, len(outlines), k > 0)
     return axes
 
 
@@ -130,25 +131,25 @@ def _draw_cells(axes: Axes, run: Run, k: int, outlines: Mapping[int, Any], hidde
     for number, outline in outlines.items():
         own = of_cell == number
         if "cell" not in hidden:
-            _drawing.cell(axes, outline, fields["outline/front"][k][own], number, many)
+            drawing.cell(axes, outline, fields["outline/front"][k][own], number, many)
         if number in nuclei:
-            _drawing.nucleus(axes, nuclei[number], number)
+            drawing.nucleus(axes, nuclei[number], number)
         if "protrusions" not in hidden:
-            _drawing.protrusions(axes, outline, fields["outline/protrusion"][k][own], fields["outline/phase"][k][own])
-    unit = _drawing.adhesions(axes, dict(outlines), alive, hidden)
+            drawing.protrusions(axes, outline, fields["outline/protrusion"][k][own], fields["outline/phase"][k][own])
+    unit = drawing.adhesions(axes, dict(outlines), alive, hidden)
     for number, outline in outlines.items():
         if "path" not in hidden:
             track = run.cells[number].tracks
             track = track[track["t_s"] <= fields.times[k] + 1e-6]
-            _drawing.path(axes, track["x_um"], track["y_um"], number, many)
+            drawing.path(axes, track["x_um"], track["y_um"], number, many)
         if many > 1 and not {"cell", "numbers"} & hidden:
-            _drawing.number_of(axes, outline, number)
+            drawing.number_of(axes, outline, number)
     return 0.0 if "traction" in hidden else unit
 
 
 def boxes(study: Study, readout: str = "v_migr_abs_um_per_h", axes: Axes | None = None) -> Axes:
     """A read-out of each run of a study as a dot, with a box for each point of five runs or more."""
-    _arguments.one_of("study", study, Study)
+    arguments.one_of("study", study, Study)
     axes = axes or _new_axes()
     done = study.results[study.results["status"] == "done"]
     if readout not in done.columns:
@@ -184,9 +185,9 @@ def _spread(n: int) -> Any:
 def quality(tracks: Tracks) -> Any:
     """Whether a tracker can be trusted, in three panels: steps, with leaps in red; pairs of tracks, with cells that were found twice in red
     (``Tracks.suspects``); drift of all cells. Returns the figure."""
-    _arguments.one_of("tracks", tracks, Tracks)
+    arguments.one_of("tracks", tracks, Tracks)
     figure, axes = _pyplot().subplots(1, 3, figsize=(11, 3.6), layout="constrained")
-    _drawing.track_quality(axes, tracks)
+    drawing.track_quality(axes, tracks)
     return figure
 
 
@@ -197,10 +198,10 @@ def msd(results: Run | Study | Tracks, axes: Axes | None = None) -> Axes:
     axes = axes or _new_axes()
     axes.set(xlabel="lag (min)", ylabel="mean square displacement (µm²)")
     if isinstance(results, Tracks):
-        lag, square = _drawing.track_msd(axes, results)
+        lag, square = drawing.track_msd(axes, results)
         _slopes(axes, lag, square)
         return axes
-    table = _arguments.one_of("results", results, Run, Study).msd
+    table = arguments.one_of("results", results, Run, Study).msd
     if not len(table):
         axes.text(0.5, 0.5, "no mean square displacement: its lags are 10 min\nto half a run, so a run of 20 min has the first",
                   transform=axes.transAxes, horizontalalignment="center", verticalalignment="center")

@@ -10,11 +10,11 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from . import _arguments
-from ._files import read_text
-from ._load_core import core
-from ._schema import toml_text
-from .scenario import Scenario
+from .base import arguments
+from .base.files import read_text
+from .base.load_core import core
+from .scenario.scenario import Scenario
+from .scenario.schema import toml_text
 
 if TYPE_CHECKING:
     from . import _core
@@ -151,12 +151,12 @@ class Simulation:
         :raises CoreNotFound: if the package was installed without its compiled module
         """
         for what, function in (("force", force), ("cell_force", cell_force), ("cue", cue)):
-            _arguments.function(what, function)
+            arguments.function(what, function)
         if isinstance(cue_every, bool) or not isinstance(cue_every, (int, np.integer)) or not 1 <= cue_every <= 10**9:
             raise ValueError(f"cue_every is {cue_every!r}; a whole number of steps from 1 to 10^9 is expected")
         name, text = _text_of(scenario)
         words = [f"{key}={value if isinstance(value, str) else toml_text(value)}"
-                 for key, value in _arguments.mapping("overrides", overrides).items()]
+                 for key, value in arguments.mapping("overrides", overrides).items()]
         words += [] if seed is None else [f"run.seed={seed}"]
         self._core: _core.Simulation = core().Simulation(text, name, words)
         me = weakref.ref(self)  # a cycle through the compiled object would never be freed
@@ -242,7 +242,7 @@ class Simulation:
             raise ValueError("give hours or until, not both")
         for name, value, unit in (("hours", hours, "h"), ("until", until, "s")):
             _require_time(name, value, unit)
-        _arguments.function("progress", progress)
+        arguments.function("progress", progress)
         end = self.t + 3600.0 * hours if hours is not None else until if until is not None else self.duration
         self._core.march_to(float(end), None if progress is None else lambda _: progress(self))
 
@@ -267,7 +267,7 @@ def _text_of(scenario: Scenario | str | os.PathLike[str] | None) -> tuple[str, s
         return "scenario", ""
     if isinstance(scenario, Scenario):
         return scenario.name, scenario.toml()
-    file = _arguments.path("scenario", scenario, "a Scenario or the path of a file")
+    file = arguments.path("scenario", scenario, "a Scenario or the path of a file")
     return str(file), read_text(file).removeprefix("\ufeff")
 
 
@@ -275,6 +275,6 @@ def _require_time(name: str, value: float | None, unit: str) -> None:
     if value is None:
         return
     if isinstance(value, bool) or not isinstance(value, (int, float, np.integer, np.floating)):
-        raise _arguments.wrong(name, value, f"a number [{unit}]")
+        raise arguments.wrong(name, value, f"a number [{unit}]")
     if not (math.isfinite(value) and value >= 0):
         raise ValueError(f"{name} is {value}; a finite number [{unit}] >= 0 is expected")

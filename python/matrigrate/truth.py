@@ -18,11 +18,13 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from . import _arguments, _drawing, _raster
-from ._files import _pandas
+from .base import arguments
+from .base.files import require_pandas
+from .draw import drawing
 from .errors import ConfigurationError, InputOutputError
-from .fields import Fields
-from .results import Run
+from .results import raster
+from .results.fields import Fields
+from .results.results import Run
 
 if TYPE_CHECKING:
     import pandas
@@ -46,7 +48,7 @@ class Movie:
     """
 
     def __init__(self, run: Run, *, pixel: float = 0.5, window: tuple[float, float, float, float] | str | None = None) -> None:
-        self.run = _arguments.one_of("run", run, Run)
+        self.run = arguments.one_of("run", run, Run)
         fields = run.fields
         if not math.isfinite(pixel) or pixel <= 0:
             raise ConfigurationError(f"pixel: {pixel:g} um is no width of a pixel")
@@ -57,8 +59,8 @@ class Movie:
         if self.left_out:
             warnings.warn(f"frame {self.left_out[0]}, the last one, at {fields.times[-1]:g} s, is left out: it comes sooner than "
                           f"{self.interval:g} s after the one before it", stacklevel=2)
-        _drawing.check_view(window, None, [])
-        self.grid = _raster.Grid.over(_drawing.window_of(fields, 0, window, None), pixel)
+        drawing.check_view(window, None, [])
+        self.grid = raster.Grid.over(drawing.window_of(fields, 0, window, None), pixel)
         if self.grid.rows * self.grid.columns > 10**8:
             raise ConfigurationError(f"pixel: {pixel:g} um makes {self.grid.columns} x {self.grid.rows} pixels; 10^8 are the most")
 
@@ -76,7 +78,7 @@ class Movie:
         out = np.zeros((len(self.frames), *self.grid.shape), dtype=np.uint16)
         for picture, k in zip(out, self.frames, strict=True):
             for number, outline in self.run.fields.outlines(k).items():
-                picture[_raster.inside(self.grid, outline.astype(float))] = number
+                picture[raster.inside(self.grid, outline.astype(float))] = number
         return out
 
     def fluorescence(self, *, seed: int = 1, psf: float = 0.25, cortex: float = 200.0, matrix: float = 60.0,
@@ -115,7 +117,7 @@ class Movie:
                 area, x, y = _centre(outline.astype(float))
                 rows.append((number, t, (self.grid.top - y) / self.grid.pixel - 0.5, (x - self.grid.left) / self.grid.pixel - 0.5,
                              float(self.run.fields.times[k]), x, y, area))
-        table = _pandas().DataFrame(rows, columns=["track_id", "t", "y", "x", "t_s", "x_um", "y_um", "area_um2"])
+        table = require_pandas().DataFrame(rows, columns=["track_id", "t", "y", "x", "t_s", "x_um", "y_um", "area_um2"])
         return table.sort_values(["track_id", "t"], ignore_index=True)
 
     def napari_tracks(self) -> tuple[Array, dict[str, Array], dict[int, list[int]]]:
@@ -132,7 +134,7 @@ class Movie:
         :param options: of ``fluorescence``
         :raises InputOutputError: if one of them is there and ``overwrite`` is not set; nothing is written then
         """
-        folder = _arguments.path("folder", folder, "the path of a folder")
+        folder = arguments.path("folder", folder, "the path of a folder")
         _tifffile()
         there = [name for name in _files if (folder / name).exists()]
         if there and not overwrite:
@@ -170,7 +172,7 @@ def _even(times: Array) -> tuple[float, list[int]]:
                              "run.time_step")
 
 
-def _cortex(grid: _raster.Grid, fields: Fields, k: int, width: float) -> Array:
+def _cortex(grid: raster.Grid, fields: Fields, k: int, width: float) -> Array:
     """Blurred length of cortex, 1 on a straight one.  :param width: standard deviation of the blur [um]"""
     points, lengths = [], []
     for outline in fields.outlines(k).values():
@@ -191,12 +193,12 @@ def _cortex(grid: _raster.Grid, fields: Fields, k: int, width: float) -> Array:
     return _blurred(density, width / grid.pixel) * math.sqrt(2 * math.pi) * width
 
 
-def _matrix(grid: _raster.Grid, fields: Fields, k: int) -> Array:
+def _matrix(grid: raster.Grid, fields: Fields, k: int) -> Array:
     """Density of solid matrix, 1 where it is intact and as at the start."""
     spacing, radius = float(fields["matrix/spacing"][0]), float(fields["matrix/radius"][0])
     place, solid = fields["matrix/position"][k][:, :2].astype(float), fields["matrix/f_degr"][k].astype(float)
     solid = np.where(fields["matrix/solid"][k] == 1, solid, 0.0)
-    total, = _raster.smoothed(grid, place, [solid], 2 * spacing)
+    total, = raster.smoothed(grid, place, [solid], 2 * spacing)
     of_lattice = math.pi * (2 * spacing)**2 / 4 * len(place) / (math.pi * radius**2)
     return total / of_lattice
 

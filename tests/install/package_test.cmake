@@ -29,7 +29,7 @@ endforeach()
 run(text ${DPKG_DEB} -x ${package} ${FOLDER}/unpacked)
 foreach(file bin/matrigrate include/matrigrate/simulation/advance.hpp lib/python3/dist-packages/matrigrate/__init__.py
              lib/python3/dist-packages/matrigrate/scenario.schema.json lib/python3/dist-packages/matrigrate/readouts.json lib/python3/dist-packages/matrigrate/colours.json
-             lib/python3/dist-packages/matrigrate/_sections.pyi share/man/man1/matrigrate.1
+             lib/python3/dist-packages/matrigrate/scenario/sections.pyi share/man/man1/matrigrate.1
              share/bash-completion/completions/matrigrate share/matrigrate/studies/stiffness.toml
              share/matrigrate/R/matrigrate.R share/matrigrate/R/DESCRIPTION share/matrigrate/R/R/read.R share/matrigrate/R/man/read_tracks.Rd
              share/doc/matrigrate/LICENSE share/doc/matrigrate/CITATION.cff

@@ -10,7 +10,9 @@ common.skip_without("matplotlib", "scipy")
 import matrigrate  # noqa: E402
 import numpy as np  # noqa: E402
 import pandas  # noqa: E402
-from matrigrate import _space, _words, calibrate, tracks  # noqa: E402
+from matrigrate import calibrate, tracks  # noqa: E402
+from matrigrate.fit import space  # noqa: E402
+from matrigrate.draw import words  # noqa: E402
 from matrigrate.errors import ConfigurationError  # noqa: E402
 from scipy.stats import qmc  # noqa: E402
 
@@ -176,11 +178,11 @@ class Limits(unittest.TestCase):
         def off(cube):
             return np.abs(cube - 0.3).max(axis=1)
         cube = np.random.default_rng(1).random((12000, 6))
-        region = _space.below(off, 0.05, cube, off(cube))
+        region = space.below(off, 0.05, cube, off(cube))
         self.assertLess(abs(math.log(region.share / 1e-6)), math.log(1.8))
         np.testing.assert_allclose(region.sample.mean(axis=0), 0.3, atol=0.006)
         np.testing.assert_allclose(region.sample.std(axis=0), 0.1 / math.sqrt(12), rtol=0.15)
-        nothing = _space.below(lambda at: 1 + off(at), 0.9, cube, 1 + off(cube))
+        nothing = space.below(lambda at: 1 + off(at), 0.9, cube, 1 + off(cube))
         self.assertEqual((len(nothing.sample), nothing.share), (0, 0.0))
 
 
@@ -295,7 +297,7 @@ protrusion.force = ["0.2 nN", "0.6 nN"]
         self.assertEqual(list(of_targets.readouts.loc[f"{name} at stiff", ["measured", "standard_error"]]), [20, 4])
 
     def test_files_beside_a_study_are_named_from_the_new_place(self):
-        from matrigrate._study_file import write_points
+        from matrigrate.fit.study_file import write_points
 
         for folder in ("here", "there"):
             (self.folder / folder).mkdir()
@@ -315,8 +317,8 @@ protrusion.force = ["0.2 nN", "0.6 nN"]
     def test_columns_of_parameters(self):
         for column, key in (("contact.cells.adhesion_range_um", "contact.cells.adhesion_range"), ("ecm.youngs_modulus_Pa", "ecm.youngs_modulus"),
                             ("contact.cells.adhesion_Pa", "contact.cells.adhesion"), ("protrusion.number", "protrusion.number")):
-            self.assertEqual(_words.parameter_of(column).path, key)
-        self.assertIsNone(_words.parameter_of("zeta"))
+            self.assertEqual(words.parameter_of(column).path, key)
+        self.assertIsNone(words.parameter_of("zeta"))
 
     def test_studies_by_condition_and_choices(self):
         study = matrigrate.load_study(common.runs / "study")

@@ -13,10 +13,12 @@ common.skip_without("scipy", "matplotlib")
 import matrigrate  # noqa: E402
 import numpy as np  # noqa: E402
 import pandas  # noqa: E402
-from matrigrate import _fit, _measurement, calibrate, tracks  # noqa: E402
-from matrigrate._emulator import Emulator  # noqa: E402
-from matrigrate._measurement import Points  # noqa: E402
-from matrigrate._process import Process  # noqa: E402
+from matrigrate import calibrate, tracks  # noqa: E402
+from matrigrate.fit import fit as _fit  # noqa: E402
+from matrigrate.fit import measurement  # noqa: E402
+from matrigrate.fit.emulator import Emulator  # noqa: E402
+from matrigrate.fit.measurement import Points  # noqa: E402
+from matrigrate.fit.process import Process  # noqa: E402
 from scipy.stats import qmc  # noqa: E402
 
 cells = 12
@@ -311,8 +313,8 @@ class OfAStudy(unittest.TestCase):
         self.refused("sped: has no measured value; tracks have speed_um_per_h", measured=tracks.of(self.study), readouts=["sped"])
 
     def test_a_read_out_of_runs_and_tracks_needs_no_interval(self):
-        of_runs = _measurement.simulated(self.study, ["v_migr_abs_um_per_h"], None).values
-        of_tracks = _measurement.simulated(self.study, ["v_migr_abs_um_per_h"], 60.0).values
+        of_runs = measurement.simulated(self.study, ["v_migr_abs_um_per_h"], None).values
+        of_tracks = measurement.simulated(self.study, ["v_migr_abs_um_per_h"], 60.0).values
         np.testing.assert_allclose(of_runs, of_tracks)
 
     def test_what_people_write(self):
@@ -340,7 +342,7 @@ class OfAStudy(unittest.TestCase):
         self.assertEqual(called.call_count, 1)
 
     def test_runs_lost_at_the_rim_are_a_bias(self):
-        from matrigrate._measurement import lost
+        from matrigrate.fit.measurement import lost
 
         results = pandas.DataFrame({"status": ["done", "failed", "failed", "interrupted"], "cause": ["", "rim", "crossing", ""]})
         self.assertEqual(lost(results), ["3 runs of the study are not done, and left out",
@@ -348,7 +350,7 @@ class OfAStudy(unittest.TestCase):
                                          "to parameters of faster ones; run the study in a larger ecm.radius"])
 
     def test_read_outs_of_tracks_and_of_runs(self):
-        from matrigrate._measurement import simulated as of_study
+        from matrigrate.fit.measurement import simulated as of_study
 
         points = of_study(self.study, ["speed_um_per_h", "n_protrusions"], 120.0)
         self.assertEqual(list(points.runs), [2, 2])

@@ -18,9 +18,13 @@ import matrigrate  # noqa: E402
 import numpy as np  # noqa: E402
 import pandas  # noqa: E402
 from matplotlib import pyplot  # noqa: E402
-from matrigrate import _fit, _report, _schema, _words, calibrate, tracks  # noqa: E402
-from matrigrate._emulator import Prior  # noqa: E402
-from matrigrate._measurement import Points  # noqa: E402
+from matrigrate import calibrate, tracks  # noqa: E402
+from matrigrate.fit import fit as _fit  # noqa: E402
+from matrigrate.fit import report  # noqa: E402
+from matrigrate.scenario import schema  # noqa: E402
+from matrigrate.draw import words as _words  # noqa: E402
+from matrigrate.fit.emulator import Prior  # noqa: E402
+from matrigrate.fit.measurement import Points  # noqa: E402
 
 code = re.compile(r"[a-z]{2,}_[a-z0-9]|[a-z0-9]_[a-z]{2,}|\bum\b|\[[^\]]*\]")
 examples = common.tempfile.TemporaryDirectory()
@@ -35,7 +39,7 @@ def plain(text):
 
 class Words(unittest.TestCase):
     def test_each_parameter_has_words_of_its_own(self):
-        words = {path: _words.noun(parameter) for path, parameter in _schema.parameters().items()}
+        words = {path: _words.noun(parameter) for path, parameter in schema.parameters().items()}
         self.assertEqual(len(set(words.values())), len(words), [path for path in words if list(words.values()).count(words[path]) > 1])
         for path, text in words.items():
             self.assertIsNone(code.search(plain(_words.typeset(text))), path)
@@ -44,7 +48,7 @@ class Words(unittest.TestCase):
         self.assertEqual(_words.title("protrusion.number"), "target number of simultaneous protrusions, n_prot")
 
     def test_each_readout_has_words_of_its_own(self):
-        titles = [_words.title(row["name"]) for row in _schema.table("readouts.json")]
+        titles = [_words.title(row["name"]) for row in schema.table("readouts.json")]
         self.assertEqual(len(set(titles)), len(titles))
         for title in titles:
             self.assertIsNone(code.search(plain(_words.typeset(title))), title)
@@ -53,11 +57,11 @@ class Words(unittest.TestCase):
         page = (common.source / "viewer" / "src" / "colour.ts").read_text()
         for name in ("palette", "phases", "cell", "cells", "nucleus", "gel", "blue_white_orange"):
             self.assertRegex(page, rf"\bcolours\.{name}\b", "the page takes its colours from the file of which Python takes them")
-        known = json.dumps(_schema.table("colours.json"))
-        for module in ("_drawing", "plot", "_words"):  # greys of lines apart
+        known = json.dumps(schema.table("colours.json"))
+        for module in ("draw/drawing", "plot", "draw/words"):  # greys of lines apart
             own = set(re.findall("#[0-9a-f]{6}", (common.source / "python" / "matrigrate" / f"{module}.py").read_text()))
             self.assertLessEqual(own, {"#999999", "#666666", "#8a8f98"}, module)
-        self.assertEqual(matrigrate._drawing.colours_of(2, 3), ("#1b7837", "#7fc78d"))
+        self.assertEqual(matrigrate.draw.drawing.colours_of(2, 3), ("#1b7837", "#7fc78d"))
         self.assertIn('["#1b7837", "#7fc78d"]', known)
         r = (common.source / "R" / "R" / "plot.R").read_text()
         self.assertEqual(re.findall("#[0-9a-f]{6}", r[r.index("known <- c("):].splitlines()[0]), list(_words.colours))
@@ -74,7 +78,7 @@ class Words(unittest.TestCase):
         self.assertEqual([text for text in labels if unit.search(text)], [])
 
     def test_r_names_the_section_where_the_last_word_is_shared(self):
-        last = [path.split(".")[-1] for path in _schema.parameters() if not re.search(r"fields?\.", path)]
+        last = [path.split(".")[-1] for path in schema.parameters() if not re.search(r"fields?\.", path)]
         r = (common.source / "R" / "R" / "plot.R").read_text()
         shared = re.findall(r'"(\w+)"', re.search(r"\.shared_words <- c\(([^)]*)\)", r)[1])
         self.assertEqual(shared, sorted({word for word in last if last.count(word) > 1}))
@@ -88,7 +92,7 @@ class Words(unittest.TestCase):
 
     def test_numbers_and_ticks_are_round(self):
         prior = Prior(["a", "b", "c"], np.array([0.1, 3e-4, 20.0]), np.array([0.6, 0.9, 90.0]), [False, True, True])
-        self.assertEqual([_report.ticks(prior, k)[1] for k in range(3)], [["0.2", "0.4", "0.6"], ["0.001", "0.01", "0.1"], ["20", "50"]])
+        self.assertEqual([report.ticks(prior, k)[1] for k in range(3)], [["0.2", "0.4", "0.6"], ["0.001", "0.01", "0.1"], ["20", "50"]])
 
 
 class Figures(unittest.TestCase):
@@ -147,8 +151,8 @@ class Figures(unittest.TestCase):
     def test_the_scale_bar_is_where_no_cell_is(self):
         seen = ((0.0, 100.0), (0.0, 100.0))
         corner = [np.array([[5.0, 5.0], [20.0, 8.0]])]
-        self.assertEqual(matrigrate._drawing.free_corners(seen, []), ["lower left", "lower right"])
-        self.assertEqual(matrigrate._drawing.free_corners(seen, corner), ["lower right", "upper left"])
+        self.assertEqual(matrigrate.draw.drawing.free_corners(seen, []), ["lower left", "lower right"])
+        self.assertEqual(matrigrate.draw.drawing.free_corners(seen, corner), ["lower right", "upper left"])
 
 
 class Pages(unittest.TestCase):
@@ -194,12 +198,12 @@ class Pages(unittest.TestCase):
             self.assertIn("viscosity of the matrix, μ (Pa s)", page)
 
     def test_a_density_is_even_up_to_the_ends(self):
-        at, values = _report.density(np.random.default_rng(1).random((20000, 1)))
+        at, values = report.density(np.random.default_rng(1).random((20000, 1)))
         self.assertLess(np.abs(values - 1).max(), 0.1)
         self.assertAlmostEqual(values.mean(), 1.0)
-        _, both = _report.density(np.random.default_rng(1).random((20000, 2)), 40)
+        _, both = report.density(np.random.default_rng(1).random((20000, 2)), 40)
         self.assertLess(np.abs(both - 1).max(), 0.3)
-        self.assertAlmostEqual(float((both >= _report.level_of(0.5, both)).sum() / both.size), 0.5, delta=0.06)
+        self.assertAlmostEqual(float((both >= report.level_of(0.5, both)).sum() / both.size), 0.5, delta=0.06)
 
 
 if __name__ == "__main__":

@@ -41,10 +41,11 @@ class Package(common.InTemporaryFolder):
         with zipfile.ZipFile(wheel) as archive:
             names = set(archive.namelist())
             archive.extractall("installed")
-        for file in (common.source / "python" / "matrigrate").iterdir():
-            if file.name != "__pycache__":
-                self.assertIn(f"matrigrate/{file.name}", names)
-        self.assertTrue({"matrigrate/scenario.schema.json", "matrigrate/readouts.json", "matrigrate/colours.json", "matrigrate/_sections.pyi"} <= names)
+        package = common.source / "python" / "matrigrate"
+        for file in package.rglob("*.py*"):
+            if "__pycache__" not in file.parts:
+                self.assertIn(f"matrigrate/{file.relative_to(package)}", names)
+        self.assertTrue({"matrigrate/scenario.schema.json", "matrigrate/readouts.json", "matrigrate/colours.json", "matrigrate/scenario/sections.pyi"} <= names)
         script = ("import json, matrigrate as m; print(json.dumps([m.__file__, m.__version__, "
                   "m.Scenario().ecm.youngs_modulus, m.load(%r).status, m.live(show=False).read_text()]))" % str(common.runs / "run"))
         done = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, cwd=self.folder,
@@ -83,7 +84,7 @@ class Package(common.InTemporaryFolder):
             self.assertIn("libhdf5", loaded)
         self.assertIn(f"matrigrate {matrigrate.__version__}", subprocess.run([self.folder / "venv/bin/matrigrate", "info"], capture_output=True,
                                                                             text=True, check=True, env=elsewhere).stdout)
-        script = "import matrigrate as m; from matrigrate import _program; s = m.Simulation(); s.step(); print(_program.find())"
+        script = "import matrigrate as m; from matrigrate.base import program as _program; s = m.Simulation(); s.step(); print(_program.find())"
         done = subprocess.run([python, "-c", script], capture_output=True, text=True, check=True, cwd="/", env=elsewhere)
         self.assertEqual(done.stdout.strip(), str(package / "bin/matrigrate"))
 

@@ -121,7 +121,7 @@ class Figures(common.InTemporaryFolder):
         bar = [artist for artist in every.artists if artist.get_gid() == "scale bar"]
         self.assertEqual((len(bar), every.get_xlabel(), len(every.figure.axes)), (1, "", 2))
         self.assertIn("20 µm", [text.get_text() for text in bar[0].findobj(pyplot.Text)])
-        bare = matrigrate.plot.frame(self.pair, hide=matrigrate._drawing.overlays)
+        bare = matrigrate.plot.frame(self.pair, hide=matrigrate.draw.drawing.overlays)
         self.assertEqual((list(bare.patches), list(bare.lines), list(bare.texts)), ([], [], []))
         self.assertEqual((bare.get_xlabel(), bare.get_legend(), len(bare.figure.axes)), ("x (µm)", None, 1))
         self.drawn(every)
@@ -132,19 +132,19 @@ class Figures(common.InTemporaryFolder):
         reference, spacing = fields["matrix/reference"][:, :2].astype(float), float(fields["matrix/spacing"][0])
         scenario = {"ecm": self.run_.scenario["ecm"],
                     "fibres": {"arrangement": "uniaxial", "direction_deg": 0, "half_angle_deg": 30}}
-        bonds = matrigrate._fibres.bonds_of(fields, scenario)
+        bonds = matrigrate.draw.fibres.bonds_of(fields, scenario)
         self.assertGreater(len(bonds), 0)
         self.assertLess(np.abs(bonds[:, 1] / bonds[:, 0]).max(), np.tan(np.radians(30.1)))
-        pairs = matrigrate._fibres.pairs_of(reference, bonds)
+        pairs = matrigrate.draw.fibres.pairs_of(reference, bonds)
         self.assertGreater(len(pairs), 0.9 * len(bonds) * len(reference) * (1 - 8 * spacing / 60))
         ways = reference[pairs[:, 1]] - reference[pairs[:, 0]]
         self.assertLess(max(np.hypot(*(bonds - way).T).min() for way in ways[::50]), 1e-3)
-        isotropic = matrigrate._fibres.bonds_of(fields, scenario | {"fibres": {"arrangement": "isotropic"}})
+        isotropic = matrigrate.draw.fibres.bonds_of(fields, scenario | {"fibres": {"arrangement": "isotropic"}})
         self.assertGreater(len(isotropic), len(bonds))
         axes = matrigrate.plot.frame(self.run_)
         self.addCleanup(pyplot.close, axes.figure)
-        self.assertIsNone(matrigrate._fibres.paint(axes, fields, self.run_.scenario, 0), "a run without fibres")
-        self.assertIsNotNone(matrigrate._fibres.paint(axes, fields, scenario, -1))
+        self.assertIsNone(matrigrate.draw.fibres.paint(axes, fields, self.run_.scenario, 0), "a run without fibres")
+        self.assertIsNotNone(matrigrate.draw.fibres.paint(axes, fields, scenario, -1))
         self.drawn(axes)
 
     def test_each_cell_has_its_msd(self):

@@ -306,7 +306,7 @@ class WhatIsMissingOrDamaged(common.InTemporaryFolder):
 
 
 def load_tests(_, tests, __):
-    for name in ("results", "_files", "errors"):
+    for name in ("results.results", "base.files", "errors"):
         tests.addTests(doctest.DocTestSuite(importlib.import_module(f"matrigrate.{name}")))
     return tests
 

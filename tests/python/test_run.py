@@ -69,7 +69,7 @@ class RunsFromPython(common.InTemporaryFolder):
         with self.assertRaisesRegex(matrigrate.InputOutputError, "cannot be read"):
             matrigrate.run("none.toml", out="y")
         with self.assertRaisesRegex(matrigrate.UsageError, "the program is"):
-            matrigrate._program.raise_for(matrigrate._program.call(["run", "--no-such-option"]), None)
+            matrigrate.base.program.raise_for(matrigrate.base.program.call(["run", "--no-such-option"]), None)
 
     def test_without_the_program(self):
         for named, words in (("/nowhere/matrigrate", "MATRIGRATE names /nowhere/matrigrate"), ("", "not on PATH")):

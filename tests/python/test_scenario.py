@@ -14,7 +14,9 @@ import unittest
 import common
 import matrigrate
 import numpy as np
-from matrigrate import Scenario, _schema, _sections
+from matrigrate import Scenario
+from matrigrate.scenario import schema
+from matrigrate.scenario import sections
 
 wrong = [  # what the program and Python must say the same of
     ("ecm", "youngs_modulus", value) for value in
@@ -80,7 +82,7 @@ class LikeTheProgram(common.InTemporaryFolder):
         scenario = Scenario({"cells": [{"x": "-0.02 mm", "y": 0}, {"x": 20, "y": "1 um"}], "ecm": {"radius": 90}})
         self.assertEqual(scenario.cells, [(-20.0, 0.0), (20.0, 1.0)])
         (self.folder / "pair.toml").write_text(scenario.toml())
-        matrigrate._program.check(self.folder / "pair.toml")
+        matrigrate.base.program.check(self.folder / "pair.toml")
         self.assertEqual(Scenario.load(self.folder / "pair.toml"), scenario)
         self.assertEqual(scenario.copy(), scenario)
         moved = scenario.copy()
@@ -90,7 +92,7 @@ class LikeTheProgram(common.InTemporaryFolder):
         with self.assertRaises(matrigrate.ConfigurationError) as ours:
             Scenario.load(self.folder / "bad.toml")
         with self.assertRaises(matrigrate.ConfigurationError) as theirs:
-            matrigrate._program.check(self.folder / "bad.toml")
+            matrigrate.base.program.check(self.folder / "bad.toml")
         self.assertEqual({(f.key, f.message) for f in ours.exception.faults},
                          {(f.key, f.message) for f in theirs.exception.faults})
 
@@ -100,7 +102,7 @@ class LikeTheProgram(common.InTemporaryFolder):
         with self.assertRaises(matrigrate.ConfigurationError) as ours:
             Scenario(table)
         with self.assertRaises(matrigrate.ConfigurationError) as theirs:
-            matrigrate._program.check(self.folder / "bad.toml")
+            matrigrate.base.program.check(self.folder / "bad.toml")
         self.assertEqual({str(f) for f in ours.exception.faults}, {str(f) for f in theirs.exception.faults})
 
     def test_a_file_of_the_program_means_what_was_done_before_by_a_key_that_it_lacks(self):
@@ -114,7 +116,7 @@ class LikeTheProgram(common.InTemporaryFolder):
         with self.assertRaises(matrigrate.ConfigurationError) as ours:
             Scenario({"adhesion": {"hold": "place", "rupture_strands": 1}})
         with self.assertRaises(matrigrate.ConfigurationError) as theirs:
-            matrigrate._program.check(self.folder / "gone.toml")
+            matrigrate.base.program.check(self.folder / "gone.toml")
         self.assertEqual({(f.key, f.message) for f in ours.exception.faults},
                          {(f.key, f.message) for f in theirs.exception.faults})
 
@@ -123,14 +125,14 @@ class LikeTheProgram(common.InTemporaryFolder):
         scenario = Scenario(resolved)
         named = {f"{section}.{key}" if isinstance(value, dict) else section
                  for section, table in resolved.items() if section != "version" for key, value in table.items()}
-        self.assertEqual(named, set(_schema.sections()))
+        self.assertEqual(named, set(schema.sections()))
         self.assertEqual(set(scenario), set(scenario.given()), "the program writes every parameter")
         for path in set(scenario) - {"ecm.radius", "protrusion.initiation_rate", "run.duration", "run.integrator",
                                      "run.time_step", "output.report"}:
             self.assertEqual(Scenario()[path], scenario[path], path)
         adaptive = Scenario({"run.integrator": "adaptive"})
         self.assertEqual(adaptive.run.time_step, scenario.run.time_step)
-        for parameter in _schema.parameters().values():
+        for parameter in schema.parameters().values():
             if parameter.kind in ("quantity", "angle"):
                 self.assertEqual(parameter.fault(f"1e999 {parameter.unit}").count("is out of range"), 1)
 
@@ -208,15 +210,15 @@ class Laws(common.InTemporaryFolder):
     def test_are_texts_that_the_program_checks(self):
         scenario = Scenario({"ecm.radius": "60 um"})
         self.assertEqual(scenario.laws.polarization_rate, "r_pol")
-        self.assertEqual(_schema.parameters()["laws.polarization_rate"].kind, "law")
-        self.assertEqual(_schema.parameters()["laws.constants"].kind, "constants")
+        self.assertEqual(schema.parameters()["laws.polarization_rate"].kind, "law")
+        self.assertEqual(schema.parameters()["laws.constants"].kind, "constants")
         scenario.laws.polarization_rate = "r_pol*min(1, angle_s/angle)"
         scenario.laws.constants = "angle_s = 0.5"
         self.assertEqual(scenario.changed()["laws.polarization_rate"], "r_pol*min(1, angle_s/angle)")
         file = self.folder / "law.toml"
         scenario.save(file)
         self.assertEqual(Scenario.load(file), scenario)
-        matrigrate._program.check(file)
+        matrigrate.base.program.check(file)
         scenario.laws.polarization_rate = "r_pool"
         with self.assertRaisesRegex(matrigrate.ConfigurationError, "there is no r_pool; did you mean r_pol"):
             scenario.save(file, overwrite=True)
@@ -232,13 +234,13 @@ class Laws(common.InTemporaryFolder):
 class Stub(unittest.TestCase):
     def test_names_are_those_at_run_time(self):
         with tempfile.TemporaryDirectory() as folder:
-            stub = pathlib.Path(folder) / "_sections.pyi"
+            stub = pathlib.Path(folder) / "sections.pyi"
             subprocess.run([sys.executable, "-B", common.source / "tools" / "stubs.py", stub], check=True)
             module = ast.parse(stub.read_text(encoding="utf-8")).body
         classes = {node.name: node for node in module if isinstance(node, ast.ClassDef) and node.name != "_Quantity"}
         functions = {node.name for node in module if isinstance(node, ast.FunctionDef)}
-        ours = {name: thing for name, thing in vars(_sections).items()
-                if getattr(thing, "__module__", "") == _sections.__name__ and not name.startswith("_")}
+        ours = {name: thing for name, thing in vars(sections).items()
+                if getattr(thing, "__module__", "") == sections.__name__ and not name.startswith("_")}
         self.assertEqual(set(classes) | functions, set(ours))
         for name, node in classes.items():
             members = {member.name if isinstance(member, ast.FunctionDef) else member.target.id for member in node.body
@@ -246,14 +248,14 @@ class Stub(unittest.TestCase):
             with self.subTest(name):
                 self.assertEqual(members, {key for key in vars(ours[name]) if not key.startswith("_")})
         section = Scenario().ecm.fields
-        self.assertEqual((type(section).__name__, type(section).__module__), ("EcmFields", "matrigrate._sections"))
+        self.assertEqual((type(section).__name__, type(section).__module__), ("EcmFields", "matrigrate.scenario.sections"))
         self.assertIn("fields", dir(Scenario().ecm))
 
 
 def load_tests(_, tests, __):
     tests.addTests(doctest.DocTestSuite(importlib.import_module("matrigrate.scenario")))
-    tests.addTests(doctest.DocTestSuite(_schema))
-    tests.addTests(doctest.DocTestSuite(_sections))
+    tests.addTests(doctest.DocTestSuite(schema))
+    tests.addTests(doctest.DocTestSuite(sections))
     return tests
 
 

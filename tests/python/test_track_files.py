@@ -7,6 +7,8 @@ import pathlib
 import re
 import subprocess
 import sys
+import tarfile
+import tempfile
 import unittest
 
 import common
@@ -15,7 +17,10 @@ import motility
 import numpy as np
 from matrigrate import tracks
 
-folder = common.source / "tests" / "unit" / "tracks" / "files"
+unpacked = tempfile.TemporaryDirectory()
+folder = pathlib.Path(unpacked.name)
+with tarfile.open(common.source / "tests" / "unit" / "tracks" / "files.tar") as archive:
+    archive.extractall(folder)
 sys.path.insert(0, str(common.source / "tests" / "layouts"))
 import layouts  # noqa: E402
 import reads  # noqa: E402

@@ -158,7 +158,7 @@ class Damage(common.InTemporaryFolder):
 
 
 def load_tests(_, tests, __):
-    tests.addTests(doctest.DocTestSuite(matrigrate._arguments))
+    tests.addTests(doctest.DocTestSuite(matrigrate.base.arguments))
     return tests
 
 

@@ -10,18 +10,20 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from . import _arguments, _emulator, _space, _words
-from . import tracks as _tracks
-from ._emulator import Array, Emulator, Prior
-from ._files import _pandas, make_folder, unit_of
-from ._measurement import Measurement, differences
-from .errors import ConfigurationError
-from .studies import Study
+from .. import tracks as _tracks
+from ..base import arguments
+from ..base.files import require_pandas, make_folder, unit_of
+from ..draw import words
+from ..errors import ConfigurationError
+from ..results.studies import Study
+from . import emulator as _emulator, space
+from .emulator import Array, Emulator, Prior
+from .measurement import Measurement, differences
 
 if TYPE_CHECKING:
     import pandas
 
-    from ._fit import Emulators
+    from .fit import Emulators
 
 constrained_width = 0.8  #: of the 90 % interval of the prior: a wider one is not called constrained
 _implausible = 3.0
@@ -87,14 +89,14 @@ class Fit:
             raise ConfigurationError(f"many: {many!r} is no number of points from 1 on")
         if not len(self._left):
             raise ConfigurationError("nothing within the prior is plausible: widen the ranges, or give a discrepancy of the model")
-        points = _pandas().DataFrame(self.prior.from_cube(_space.filling(self._left, many, self._there)), columns=self.prior.names)
+        points = require_pandas().DataFrame(self.prior.from_cube(space.filling(self._left, many, self._there)), columns=self.prior.names)
         if file is not None:
-            from ._study_file import write_points
+            from .study_file import write_points
 
             if like is None and self._like is None:
                 raise ConfigurationError("like: is needed, since the fit is not of one study: it names the study from which all but the points "
                                          "is taken")
-            write_points(_arguments.path("file", file), points, self._like if like is None else like)
+            write_points(arguments.path("file", file), points, self._like if like is None else like)
         return points
 
     def write(self, folder: str | os.PathLike[str], *, overwrite: bool = False) -> Path:
@@ -104,9 +106,9 @@ class Fit:
         :param overwrite: whether to replace these files in a folder that is there already
         :return: report.html
         """
-        from ._report import page_of_fit
+        from .report import page_of_fit
 
-        path = _arguments.path("folder", folder)
+        path = arguments.path("folder", folder)
         text = page_of_fit(self)
         make_folder(path, overwrite)
         for name, table in (("posterior", self.table), ("readouts", self.readouts)):
@@ -123,7 +125,7 @@ class Part:
     def __init__(self, condition: str, emulators: Emulators, wanted: Measurement, discrepancy: Mapping[str, float], measured: Any) -> None:
         """:param discrepancy: standard errors of the model, by the names of numbers or of read-outs"""
         self.condition, self.emulators, self.wanted, self.measured = condition, emulators, wanted, measured
-        self.names = [_words.at(name, condition) for name in emulators.names]
+        self.names = [words.at(name, condition) for name in emulators.names]
         self.low, self.high = (wanted.table[end].to_numpy(float) for end in ("low", "high"))
         self.tells = np.array([one.tells for one in emulators.processes])
         own = [discrepancy.get(name, discrepancy.get(readout, 0.0)) for name, readout in zip(self.names, emulators.names, strict=True)]
@@ -132,7 +134,7 @@ class Part:
     @property
     def sensitivity(self) -> pandas.DataFrame:
         found = self.emulators.sensitivity
-        return found.assign(readout=[_words.at(name, self.condition) for name in found["readout"]])
+        return found.assign(readout=[words.at(name, self.condition) for name in found["readout"]])
 
     def predicted(self, cube: Array) -> tuple[Array, Array]:
         return predictions(self.emulators.processes, cube)
@@ -198,25 +200,25 @@ def joint(parts: list[Part], held: list[Part], seed: int) -> Fit:
 
     drawn, effective = _emulator.sampled(likelihood, even, np.sum([part.likelihood(*one) for part, one in known], axis=0), seed=seed)
     off = np.hstack([part.far(*one) for part, one in known])
-    region = _space.below(lambda cube: far(cube).max(axis=1), _implausible, even, off.max(axis=1), seed)
+    region = space.below(lambda cube: far(cube).max(axis=1), _implausible, even, off.max(axis=1), seed)
     names, left = [name for part in parts for name in part.names], prior.snapped(region.sample)
     with np.errstate(invalid="ignore"):  # of a whole number that has one value
-        correlations = _pandas().DataFrame(np.atleast_2d(np.corrcoef(drawn.T)), prior.names, prior.names)
+        correlations = require_pandas().DataFrame(np.atleast_2d(np.corrcoef(drawn.T)), prior.names, prior.names)
     notes = _notes_of(parts, held, effective)
     if not len(left):
         best = far(region.best[None])[0]
         notes.append(f"no parameters within the ranges give such cells: {names[int(np.argmax(best))]} is off by "
                      f"{best.max():.1f} standard errors even at the best ones")
-    table, sensitivity = _table(prior, drawn, left), _pandas().concat([part.sensitivity for part in (*parts, *held)], ignore_index=True)
+    table, sensitivity = _table(prior, drawn, left), require_pandas().concat([part.sensitivity for part in (*parts, *held)], ignore_index=True)
     notes += [bound_note(name, side, (prior.low if side == "lower" else prior.high)[k])
               for k, (name, side) in enumerate(table["at_bound"].items()) if side]
     notes += _untold(table, correlations, sensitivity)
-    shown = _pandas().concat([_shown(part, drawn, region.best, part in held) for part in (*parts, *held)])
+    shown = require_pandas().concat([_shown(part, drawn, region.best, part in held) for part in (*parts, *held)])
     there = np.concatenate([prior.to_cube(part.emulators.points.parameters[prior.names].to_numpy(float)) for part in parts])
     of_tracks = [part for part in parts if isinstance(part.measured, _tracks.Tracks)]
     files = ", ".join(part.measured.source for part in of_tracks if part.measured.source)
     return Fit(table, shown, sensitivity, _alone(names, off, even, prior), _exclusions(names, off),
-               _pandas().DataFrame(prior.from_cube(drawn), columns=prior.names), correlations, region.share, effective, notes, prior,
+               require_pandas().DataFrame(prior.from_cube(drawn), columns=prior.names), correlations, region.share, effective, notes, prior,
                {part.condition: (part.measured, part.nearest()) for part in of_tracks},
                {"study": parts[0].emulators.study, "tracks": files, "seed": str(seed)},
                np.unique(left, axis=0) if any(prior.whole or []) else left, np.unique(there, axis=0))
@@ -269,7 +271,7 @@ def _shown(part: Part, drawn: Array, best: Array, held: bool) -> pandas.DataFram
     after, _ = part.predicted(drawn[:1000])
     low, high = np.percentile(after, [5, 95], axis=0)
     processes, cube = part.emulators.processes, part.emulators.prior.snapped(best[None])
-    return _pandas().DataFrame({
+    return require_pandas().DataFrame({
         "measured": part.wanted.table["value"].to_numpy(float), "standard_error": part.wanted.table["standard_error"].to_numpy(float),
         "low": part.low, "high": part.high, "posterior_mean": after.mean(axis=0), "posterior_5": low, "posterior_95": high,
         "implausibility": part.far(*part.predicted(cube))[0], "predicted": [one.explained for one in processes],
@@ -283,14 +285,14 @@ def _alone(names: list[str], off: Array, even: Array, prior: Prior) -> pandas.Da
         left = even[own < _implausible]
         ends = prior.from_cube(np.array([left.min(axis=0), left.max(axis=0)])) if len(left) else np.full((2, len(prior.names)), np.nan)
         rows += [[name, parameter, len(left) / len(even), *ends[:, k]] for k, parameter in enumerate(prior.names)]
-    return _pandas().DataFrame(rows, columns=["readout", "parameter", "plausible", "low", "high"])
+    return require_pandas().DataFrame(rows, columns=["readout", "parameter", "plausible", "low", "high"])
 
 
 def _exclusions(names: list[str], off: Array) -> pandas.DataFrame:
     kept = off < _implausible
     rows = [[names[i], names[j], kept[:, i].mean(), kept[:, j].mean(), (kept[:, i] & kept[:, j]).mean(), off[:, [i, j]].max(axis=1).min()]
             for i, j in combinations(range(len(names)), 2)]
-    table = _pandas().DataFrame(rows, columns=["a", "b", "plausible_a", "plausible_b", "both", "least"])
+    table = require_pandas().DataFrame(rows, columns=["a", "b", "plausible_a", "plausible_b", "both", "least"])
     return table.sort_values("least", ascending=False, ignore_index=True, kind="stable")
 
 
@@ -302,7 +304,7 @@ def _table(prior: Prior, drawn: Array, kept: Array) -> pandas.DataFrame:
     width = (ends[2] - ends[0]) / 0.9
     bounds = [at_bound(column) for column in drawn.T]
     constrained = (width < constrained_width) & (np.array(bounds) == "")
-    return _pandas().DataFrame({"prior_5": before[0], "prior_50": before[1], "prior_95": before[2], "posterior_5": after[0],
+    return require_pandas().DataFrame({"prior_5": before[0], "prior_50": before[1], "prior_95": before[2], "posterior_5": after[0],
                                 "posterior_50": after[1], "posterior_95": after[2], "width": width, "constrained": constrained, "at_bound": bounds,
                                 "plausible_low": left[0], "plausible_high": left[1]}, index=prior.names)
 

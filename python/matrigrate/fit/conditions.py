@@ -7,11 +7,12 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
-from . import _arguments, _words
-from . import tracks as _tracks
-from ._files import _pandas, read_text
-from .errors import ConfigurationError
-from .studies import Study, load_study
+from .. import tracks
+from ..base import arguments
+from ..base.files import require_pandas, read_text
+from ..draw import words
+from ..errors import ConfigurationError
+from ..results.studies import Study, load_study
 
 if TYPE_CHECKING:
     import pandas
@@ -37,14 +38,14 @@ class Runs:
 
 def by_condition(measured: Any) -> bool:
     """Whether what was measured stands by conditions: ``{"50 Pa": {"l_prot_um": (13.1, 0.4)}}``."""
-    return isinstance(measured, Mapping) and not isinstance(measured, _tracks.Tracks) and any(isinstance(one, Mapping) for one in measured.values())
+    return isinstance(measured, Mapping) and not isinstance(measured, tracks.Tracks) and any(isinstance(one, Mapping) for one in measured.values())
 
 
 def require_study(study: Any) -> None:
     """:raises TypeError: if it is none"""
     if isinstance(study, (str, os.PathLike)):
         raise TypeError(f"study is the text {str(study)!r}; a study is expected, as matrigrate.load_study({str(study)!r}) gives it")
-    _arguments.one_of("study", study, Study, list, tuple, dict, _pandas().DataFrame)
+    arguments.one_of("study", study, Study, list, tuple, dict, require_pandas().DataFrame)
 
 
 def runs_of(study: Source | Mapping[str, Source], conditions: Sequence[str], given: Sequence[str]) -> dict[str, Runs]:
@@ -67,7 +68,7 @@ def runs_of(study: Source | Mapping[str, Source], conditions: Sequence[str], giv
     shared = set.intersection(*named.values())
     if odd := [f"{name}: varies {', '.join(sorted(own - shared))}, which other conditions do not" for name, own in named.items() if own != shared]:
         raise ConfigurationError("\n".join(odd))
-    design = _pandas().concat([runs.design for runs in found.values()], ignore_index=True)
+    design = require_pandas().concat([runs.design for runs in found.values()], ignore_index=True)
     return {name: replace(runs, design=design) for name, runs in found.items()}
 
 
@@ -86,14 +87,14 @@ def _together(waves: list[Runs]) -> Runs:
     if lacking := [f"{name}: wave {k} has no such parameter" for k, wave in enumerate(waves, 1) for name in first.parameters
                    if name not in wave.table]:
         raise ConfigurationError("\n".join(lacking))
-    table = _pandas().concat([wave.table.assign(point=[f"{k}: {point}" for point in wave.table["point"]]) for k, wave in enumerate(waves, 1)],
+    table = require_pandas().concat([wave.table.assign(point=[f"{k}: {point}" for point in wave.table["point"]]) for k, wave in enumerate(waves, 1)],
                              ignore_index=True)
     table = table.drop_duplicates(["run"] if "run" in table else [name for name in table if name != "point"], ignore_index=True)
     return replace(first, table=table, studies={run: study for wave in waves for run, study in wave.studies.items()})
 
 
 def _of_one(source: Any, conditions: Sequence[str], given: Sequence[str]) -> dict[str, Runs]:
-    if isinstance(source, _pandas().DataFrame):
+    if isinstance(source, require_pandas().DataFrame):
         return _of_frame(source, conditions, given)
     study = source if isinstance(source, Study) else load_study(source)
     results = study.results.assign(point=study.results["label"])
@@ -102,7 +103,7 @@ def _of_one(source: Any, conditions: Sequence[str], given: Sequence[str]) -> dic
         return {"": _runs(results, parameters, study)}
     _require_known(conditions, labels, "study")
     fixed = {key for one in document_of(study)["conditions"] for key in one if key != "label"}
-    parameters = [name for name in parameters if (known := _words.parameter_of(name)) is None or known.path not in fixed]
+    parameters = [name for name in parameters if (known := words.parameter_of(name)) is None or known.path not in fixed]
     at = {point: max((label for label in labels if point.startswith(f"{label}: ")), key=len, default="") for point in results["point"].unique()}
     return {name: _runs(results[results["point"].map(at) == name], parameters, study) for name in conditions}
 
@@ -126,7 +127,7 @@ def _of_frame(frame: pandas.DataFrame, conditions: Sequence[str], given: Sequenc
 
 
 def _is_finite(column: pandas.Series) -> bool:
-    return bool(_pandas().api.types.is_numeric_dtype(column) and column.abs().lt(float("inf")).all())
+    return bool(require_pandas().api.types.is_numeric_dtype(column) and column.abs().lt(float("inf")).all())
 
 
 def _require_known(conditions: Sequence[str], labels: Sequence[str], owner: str) -> None:

@@ -9,7 +9,7 @@ from collections.abc import Collection
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from .errors import InputOutputError
+from ..errors import InputOutputError
 
 if TYPE_CHECKING:
     import pandas
@@ -79,7 +79,7 @@ def read_table(path: Path, *, texts: Collection[str] = (), strict: bool = True,
     :param strict: whether all others are; if not, those that hold anything else are texts as well
     :param unfinished: whether its last row may be cut short, because it is being written
     """
-    pandas = _pandas()
+    pandas = require_pandas()
     text = read_text(path)
     if unfinished and not text.endswith("\n"):
         text = text[:text.rfind("\n") + 1]
@@ -100,7 +100,7 @@ def read_table(path: Path, *, texts: Collection[str] = (), strict: bool = True,
 
 def _column(path: Path, name: str, values: list[str], is_text: bool, strict: bool) -> Any:
     """Numbers, whole ones where all are; or texts, as they were before they were guarded against spreadsheets."""
-    pandas = _pandas()
+    pandas = require_pandas()
     if not is_text:
         try:
             if values and all(re.fullmatch(r"-?\d{1,18}", value) for value in values):
@@ -113,7 +113,7 @@ def _column(path: Path, name: str, values: list[str], is_text: bool, strict: boo
                          dtype="object")
 
 
-def _pandas() -> Any:
+def require_pandas() -> Any:
     try:
         import pandas
     except ImportError:

@@ -1,12 +1,12 @@
 """Checks of arguments: an argument of a wrong type raises a TypeError that names it."""
 from __future__ import annotations
 
+import datetime
 import os
 from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
-from ._schema import type_words
 
 
 def wrong(name: str, value: Any, expected: str) -> TypeError:
@@ -50,3 +50,12 @@ def function(name: str, value: Any) -> None:
     """Checks that a value is a function or None. :raises TypeError: if the value is neither"""
     if value is not None and not callable(value):
         raise wrong(name, value, "a function")
+
+
+def type_words(value: Any) -> str:
+    if isinstance(value, bool):
+        return "a flag"
+    kinds: list[tuple[Any, str]] = [(str, "a string"), ((int, float), "a number"), (dict, "a table"),
+                                    ((list, tuple), "an array"),
+                                    ((datetime.date, datetime.time, datetime.timedelta), "a date or time")]
+    return next((words for kind, words in kinds if isinstance(value, kind)), f"of the type {type(value).__name__}")

@@ -14,11 +14,11 @@ from typing import TYPE_CHECKING, Any, overload
 
 import numpy as np
 
-from . import _arguments
-from ._cells import CellsOfRun
-from ._schema import table
-from ._files import read_json, read_table, read_text, unit_of
-from .errors import InputOutputError
+from ..base import arguments
+from ..base.files import read_json, read_table, read_text, unit_of
+from ..errors import InputOutputError
+from ..scenario.schema import table
+from .cells import CellsOfRun
 from .fields import Fields
 
 if TYPE_CHECKING:
@@ -66,7 +66,7 @@ class Readouts(Mapping[str, float]):
     """
 
     def __init__(self, values: Mapping[str, Any]) -> None:
-        _arguments.mapping("values", values, "a dictionary of read-outs")
+        arguments.mapping("values", values, "a dictionary of read-outs")
         self._values: dict[str, float] = {name: float("nan") if value is None else value
                                           for name, value in values.items()}
 
@@ -173,7 +173,7 @@ class Run:
     """
 
     def __init__(self, folder: str | os.PathLike[str]) -> None:
-        self.folder = _arguments.path("folder", folder, "the path of a run")
+        self.folder = arguments.path("folder", folder, "the path of a run")
         _require_run(self.folder)
         self.record: dict[str, Any] = read_json(self.folder / "run.json")
         """run.json: version, seed, steps, wall_time_s, trajectory_hash, lineage and more, as when the run was loaded."""
@@ -203,7 +203,7 @@ class Run:
             from matplotlib.figure import Figure
         except ImportError:
             return ""
-        from . import plot
+        from .. import plot
 
         figure, file = Figure(figsize=(6.6, 5.6), layout="constrained"), io.BytesIO()
         plot.frame(self, axes=figure.subplots())

@@ -10,12 +10,12 @@ from contextlib import AbstractContextManager, nullcontext
 from pathlib import Path
 from typing import Any
 
-from . import _arguments, _program
-from ._files import read_text
-from ._schema import toml_text
-from .errors import KeyboardStop
+from ..base import arguments, program
+from ..base.files import read_text
+from ..errors import KeyboardStop
+from ..scenario.scenario import Scenario
+from ..scenario.schema import toml_text
 from .results import Run, load
-from .scenario import Scenario
 from .studies import Study, load_study
 
 Progress = Callable[[float, float], None]  #: called with simulated time [s] and the share that is done [0 to 1]
@@ -47,9 +47,9 @@ def run(scenario: Scenario | str | os.PathLike[str], out: str | os.PathLike[str]
     :raises TypeError: if scenario, out, overrides or progress is of a wrong type
     :raises ProgramNotFound: without the program
     """
-    overrides = _arguments.mapping("overrides", overrides)
-    _arguments.function("progress", progress)
-    folder = None if out is None else _arguments.path("out", out)
+    overrides = arguments.mapping("overrides", overrides)
+    arguments.function("progress", progress)
+    folder = None if out is None else arguments.path("out", out)
     with _file_of(scenario) as file:
         words = ["run", str(file), "--json", "--quiet"]
         words += ["--temporary-file"] if isinstance(scenario, Scenario) else []
@@ -61,10 +61,10 @@ def run(scenario: Scenario | str | os.PathLike[str], out: str | os.PathLike[str]
         folder = folder or _default_folder(file, seed, overrides)
         watch = _Watch(folder, progress) if progress is not None else None
         try:
-            outcome = _program.call([*words, "-o", str(folder)], watch)
+            outcome = program.call([*words, "-o", str(folder)], watch)
         except KeyboardInterrupt:
             raise KeyboardStop(folder) from None
-        _program.raise_for(outcome, folder, file if isinstance(scenario, Scenario) else None)
+        program.raise_for(outcome, folder, file if isinstance(scenario, Scenario) else None)
     done = load(folder)
     if watch is not None:
         watch.end(done)
@@ -83,21 +83,21 @@ def run_study(file: str | os.PathLike[str], out: str | os.PathLike[str] | None =
     :raises TypeError: if file or out is no path
     :raises ProgramNotFound: without the program
     """
-    file = _arguments.path("file", file, "the path of a study file")
-    folder = _arguments.path("out", out) if out is not None else Path(f"{file.stem}-study")
+    file = arguments.path("file", file, "the path of a study file")
+    folder = arguments.path("out", out) if out is not None else Path(f"{file.stem}-study")
     words = ["study", "run", str(file), "-o", str(folder), "--quiet"] + ([] if jobs is None else ["--jobs", str(jobs)])
     try:
-        outcome = _program.call(words)
+        outcome = program.call(words)
     except KeyboardInterrupt:
         raise KeyboardStop(folder) from None
-    _program.raise_for(outcome, folder)
+    program.raise_for(outcome, folder)
     return load_study(folder)
 
 
 def _file_of(scenario: Scenario | str | os.PathLike[str]) -> AbstractContextManager[Path]:
     if isinstance(scenario, Scenario):
         return scenario._as_file()
-    return nullcontext(_arguments.path("scenario", scenario, "a Scenario or the path of a file"))
+    return nullcontext(arguments.path("scenario", scenario, "a Scenario or the path of a file"))
 
 
 def _override(value: Any) -> str:

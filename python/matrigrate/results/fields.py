@@ -9,9 +9,9 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from . import _arguments
-from ._files import _pandas
-from .errors import InputOutputError
+from ..base import arguments
+from ..base.files import require_pandas
+from ..errors import InputOutputError
 
 if TYPE_CHECKING:
     import pandas
@@ -54,7 +54,7 @@ class Fields(Mapping[str, Field]):
     """
 
     def __init__(self, file: str | Path) -> None:
-        self.file = _arguments.path("file", file)
+        self.file = arguments.path("file", file)
         with _opened(self.file) as opened:
             try:
                 self.times: np.ndarray[Any, Any] = opened["time"][:]
@@ -86,7 +86,7 @@ class Fields(Mapping[str, Field]):
         :raises TypeError: if that is no number
         """
         if isinstance(t, bool) or not isinstance(t, (int, float, np.integer, np.floating)):
-            raise _arguments.wrong("t", t, "a number [s]")
+            raise arguments.wrong("t", t, "a number [s]")
         if not len(self.times):
             raise InputOutputError(f"{self.file}: holds no frames", self.file.parent)
         return int(np.abs(self.times - t).argmin())
@@ -160,7 +160,7 @@ class Fields(Mapping[str, Field]):
         frames = columns.pop("frame", np.zeros(0, dtype="u4"))
         if len(frames) and frames.max() >= len(self.times) or len({len(values) for values in columns.values()}) > 1:
             raise InputOutputError(f"{self.file}: is damaged: {group} do not fit its frames", self.file.parent)
-        table = _pandas().DataFrame({"frame": frames, "t_s": self.times[frames], **columns})
+        table = require_pandas().DataFrame({"frame": frames, "t_s": self.times[frames], **columns})
         table.attrs["units"] = units | {"frame": "1", "t_s": "s"}
         return table
 

@@ -3,7 +3,7 @@ from __future__ import annotations
 
 from functools import cache
 
-from ._load_core import core
+from ..base.load_core import core
 
 needs = {
     "directionality_ratio": "needs tracks of more than ten intervals",

@@ -14,10 +14,12 @@ import re
 import textwrap
 from typing import Any
 
-from . import _motility, _schema, results
-from ._files import unit_of
+from ..base.files import unit_of
+from ..results import results
+from ..scenario import schema
+from ..tracks import motility
 
-colours: list[str] = _schema.table("colours.json")["palette"]  #: Okabe and Ito's, which all eyes can separate
+colours: list[str] = schema.table("colours.json")["palette"]  #: Okabe and Ito's, which all eyes can separate
 blue, red, grey = colours[0], colours[1], "#8a8f98"
 least_for_box = 5  #: runs that a box is drawn of; of fewer the runs alone
 style = {"font.size": 9, "axes.titlesize": 9, "axes.labelsize": 9, "xtick.labelsize": 8, "ytick.labelsize": 8, "legend.fontsize": 8,
@@ -56,13 +58,13 @@ def shown_unit(unit: str) -> str:
 
 
 @functools.cache
-def parameter_of(column: str) -> _schema.Parameter | None:
+def parameter_of(column: str) -> schema.Parameter | None:
     """The parameter whose column this is in tables of a study, "ecm.youngs_modulus_Pa"; None if there is none."""
-    known = _schema.parameters()
+    known = schema.parameters()
     return max((p for path, p in known.items() if column == path or column.startswith(f"{path}_")), key=lambda p: len(p.path), default=None)
 
 
-def noun(parameter: _schema.Parameter) -> str:
+def noun(parameter: schema.Parameter) -> str:
     """A noun for a parameter: the first clause of its meaning; of a rule or a law the words of its name."""
     clause = "" if parameter.path.startswith("laws.") else re.split(r"[;:,(]", parameter.meaning)[0].strip()
     if clause and len(clause) <= 60 and not _no_noun.match(clause):
@@ -82,7 +84,7 @@ def at(readout: str, condition: str) -> str:
 
 @functools.cache
 def _labels() -> dict[str, dict[str, Any]]:
-    return {row["name"]: row for row in _schema.table("readouts.json")}
+    return {row["name"]: row for row in schema.table("readouts.json")}
 
 
 def symbol(column: str) -> str:
@@ -99,7 +101,7 @@ def words(column: str) -> str:
         return noun(parameter)
     if column in _labels():
         return results.meaning(column)
-    return _motility.meanings().get(column, column.replace("_", " "))
+    return motility.meanings().get(column, column.replace("_", " "))
 
 
 def unit(column: str) -> str:

@@ -7,9 +7,9 @@ from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from . import _arguments
-from ._files import _pandas, read_table
-from .errors import InputOutputError
+from ..base import arguments
+from ..base.files import require_pandas, read_table
+from ..errors import InputOutputError
 from .results import Run, load
 
 if TYPE_CHECKING:
@@ -23,7 +23,7 @@ class Runs(Mapping[str, Run]):
     """The runs of a study by the names of their folders. Each is loaded when it is asked for."""
 
     def __init__(self, folder: Path, study: Study | None = None) -> None:
-        self._folder = _arguments.path("folder", folder)
+        self._folder = arguments.path("folder", folder)
         self.study = study if (folder.parent / "results.csv").is_file() else None  #: with its table of runs, if it was written yet
         self._names = sorted(path.parent.name for path in self._folder.glob("*/run.json"))
 
@@ -46,7 +46,7 @@ class Study:
     """The folder of a study. Tables are made by ``matrigrate study collect``, with units in their column names."""
 
     def __init__(self, folder: str | os.PathLike[str]) -> None:
-        self.folder = _arguments.path("folder", folder, "the path of a study")
+        self.folder = arguments.path("folder", folder, "the path of a study")
         if (self.folder / "study.resolved.toml").is_file():
             return
         if not self.folder.exists():
@@ -80,7 +80,7 @@ class Study:
 
     def table(self, name: str) -> pandas.DataFrame:
         """Any table of the study by its name: "correlations", "paths", "adhesions"."""
-        _arguments.text("name", name, "the name of a table")
+        arguments.text("name", name, "the name of a table")
         return self._table(name if name.endswith(".csv") else f"{name}.csv")
 
     @property
@@ -112,7 +112,7 @@ class Study:
         return self._all("protrusions")
 
     def _all(self, name: str) -> pandas.DataFrame:
-        pandas, tables = _pandas(), []
+        pandas, tables = require_pandas(), []
         keys = ["run", "label", *self.parameters, "replicate", "seed"]
         units: dict[str, Any] = {}
         for row in self.results[keys].to_dict("records"):

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ._process import Array, Process
+from .process import Array, Process
 
 _draws = 60
 _tries = 5000  # points of a step of sampling

@@ -19,17 +19,18 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from . import _arguments, _motility, _track_reader
-from ._files import _pandas, unit_of
-from ._load_core import core
-from .errors import ConfigurationError
-from .results import Run
-from .studies import Study
+from ..base import arguments
+from ..base.files import require_pandas, unit_of
+from ..base.load_core import core
+from ..errors import ConfigurationError
+from ..results.results import Run
+from ..results.studies import Study
+from . import motility, reader as _track_reader
 
 if TYPE_CHECKING:
     import pandas
 
-    from . import _core
+    from .. import _core
 
 __all__ = ["Tracks", "from_frame", "meaning", "of", "read"]
 
@@ -42,7 +43,7 @@ _least_steps = 5  # of both tracks of a pair
 
 def meaning(readout: str) -> str:
     """The meaning of a read-out of tracks, in words."""
-    return _motility.meanings().get(readout, readout)
+    return motility.meanings().get(readout, readout)
 
 
 class Tracks(Mapping[str, Any]):
@@ -76,7 +77,7 @@ class Tracks(Mapping[str, Any]):
         """A row per position: ``track``, ``t_s``, ``x_um``, ``y_um``; without gaps."""
         rows = [(name, self._starts[name] + k * self.interval, *track[k]) for name, track in self.items()
                 for k in np.flatnonzero(np.isfinite(track[:, 0]))]
-        return _pandas().DataFrame(rows, columns=["track", "t_s", "x_um", "y_um"])
+        return require_pandas().DataFrame(rows, columns=["track", "t_s", "x_um", "y_um"])
 
     def every(self, interval: float) -> Tracks:
         """The positions at a longer interval [s], a whole multiple of this one; from the start of each track on."""
@@ -121,28 +122,28 @@ class Tracks(Mapping[str, Any]):
         :raises ConfigurationError: if the error is none, or positions are too far apart for any read-out
         """
         if not isinstance(error, (int, float)):
-            raise _arguments.wrong("error", error, "a number of um")
+            raise arguments.wrong("error", error, "a number of um")
         if error < 0 or not math.isfinite(error):
             raise ConfigurationError(f"error: {error:g} um is no localisation error")
         parts = self._parts if interval is None else self.every(interval)._parts
         if (said := parts.buried(error)) and said not in self.notes:
             self.notes.append(said)
-        meanings = _motility.meanings()
+        meanings = motility.meanings()
         values = parts.readouts(error)
         drawn = self._drawn if interval is None and error == 0 and resamples == _resamples else _resampled(parts, error, resamples)
-        return _pandas().DataFrame({"value": values, "standard_error": core().standard_errors(values, drawn),
+        return require_pandas().DataFrame({"value": values, "standard_error": core().standard_errors(values, drawn),
                                     "unit": [unit_of(name) for name in meanings], "meaning": list(meanings.values())}, index=list(meanings))
 
     def covariance(self, readouts: Sequence[str]) -> np.ndarray[Any, Any]:
         """Of the errors of these read-outs, by the bootstrap of ``readouts()``."""
-        names = list(_motility.meanings())
+        names = list(motility.meanings())
         table = self._drawn[:, [names.index(name) for name in readouts]]
         return np.atleast_2d(np.cov(table[np.isfinite(table).all(axis=1)].T))
 
     def msd(self) -> pandas.DataFrame:
         """Mean square displacement of all tracks: ``lag_s``, ``msd_um2``."""
         square = self._parts.msd()
-        return _pandas().DataFrame({"lag_s": self.interval * np.arange(1, len(square) + 1), "msd_um2": square})
+        return require_pandas().DataFrame({"lag_s": self.interval * np.arange(1, len(square) + 1), "msd_um2": square})
 
     def pairs(self) -> pandas.DataFrame:
         """A row for each pair of tracks that are there together for at least five steps: ``track``, ``other``, mean ``distance_um``, and the
@@ -161,7 +162,7 @@ class Tracks(Mapping[str, Any]):
                 size = math.sqrt(float((steps[:, :2]**2).sum() * (steps[:, 2:]**2).sum()))
                 alike = float((steps[:, :2] * steps[:, 2:]).sum()) / size if size else float("nan")
                 found.append((name, other, float(np.nanmean(np.hypot(*(a[:many] - b[:many]).T))), alike))
-        return _pandas().DataFrame(found, columns=["track", "other", "distance_um", "correlation"])
+        return require_pandas().DataFrame(found, columns=["track", "other", "distance_um", "correlation"])
 
     def suspects(self, nearer: float = 10.0) -> pandas.DataFrame:
         """What a tracker may have got wrong, a row each: ``kind``, ``track``, ``other``, ``t_s``, ``value``. A ``"leap"`` is a step (``value``
@@ -177,14 +178,14 @@ class Tracks(Mapping[str, Any]):
         pairs = self.pairs()
         pairs = pairs[(pairs["distance_um"] < nearer) & (pairs["correlation"] > _alike)]
         rows += [("double", row.track, row.other, float("nan"), row.correlation) for row in pairs.itertuples()]
-        return _pandas().DataFrame(rows, columns=["kind", "track", "other", "t_s", "value"])
+        return require_pandas().DataFrame(rows, columns=["kind", "track", "other", "t_s", "value"])
 
     @cached_property
     def _parts(self) -> _core.TrackParts:
-        far = [name for name, track in self.items() if not np.nanmax(np.abs(track), initial=0.0) <= _motility.farthest]
+        far = [name for name, track in self.items() if not np.nanmax(np.abs(track), initial=0.0) <= motility.farthest]
         if far:
             raise ConfigurationError("\n".join(f"track {name}: positions reach {np.nanmax(np.abs(self[name])):.3g} um; read-outs "
-                                               f"are defined up to {_motility.farthest:g} um (pixel)" for name in far))
+                                               f"are defined up to {motility.farthest:g} um (pixel)" for name in far))
         parts: _core.TrackParts = core().TrackParts(list(self.values()), self.interval)
         return parts
 
@@ -196,7 +197,7 @@ class Tracks(Mapping[str, Any]):
 
 def _resampled(parts: _core.TrackParts, error: float, resamples: int) -> np.ndarray[Any, Any]:
     """Read-outs of sets of tracks drawn with replacement, a row a set: always the same ones; none of a single track."""
-    return np.reshape(parts.drawn(error, max(0, resamples)), (-1, len(_motility.meanings())))
+    return np.reshape(parts.drawn(error, max(0, resamples)), (-1, len(motility.meanings())))
 
 
 def read(file: str | os.PathLike[str], *, pixel: float | None = None, frame_interval: float | None = None,
@@ -245,8 +246,8 @@ def from_frame(frame: pandas.DataFrame, **options: Any) -> Tracks:
     >>> from_frame(spots, columns={"track": "cell", "t": "min"}, time_unit="min", fewest=1)
     1 tracks, 4 positions, every 300 s
     """
-    if not isinstance(frame, _pandas().DataFrame):
-        raise _arguments.wrong("frame", frame, "a data frame")
+    if not isinstance(frame, require_pandas().DataFrame):
+        raise arguments.wrong("frame", frame, "a data frame")
     text = frame.to_csv(index=any(name is not None and name not in frame.columns for name in frame.index.names))
     return read(_track_reader.Text(text), **options)
 

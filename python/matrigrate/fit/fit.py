@@ -8,16 +8,18 @@ from typing import TYPE_CHECKING, Any, TypeVar
 
 import numpy as np
 
-from . import _arguments, _emulator, _words
-from . import tracks as _tracks
-from ._conditions import Source, by_condition, require_study, runs_of, targets_of
-from ._emulator import Array, Emulator, Prior
-from ._files import _pandas
-from ._measurement import Means, Measurement, Points, measurement, simulated, size_faults
-from ._posterior import Fit, Part, joint, predictions, said
-from ._process import scipy
-from .errors import ConfigurationError
-from .studies import Study
+from .. import tracks
+from ..base import arguments
+from ..base.files import require_pandas
+from ..draw import words
+from ..errors import ConfigurationError
+from ..results.studies import Study
+from . import emulator as _emulator
+from .conditions import Source, by_condition, require_study, runs_of, targets_of
+from .emulator import Array, Emulator, Prior
+from .measurement import Means, Measurement, Points, measurement, simulated, size_faults
+from .posterior import Fit, Part, joint, predictions, said
+from .process import scipy
 
 if TYPE_CHECKING:
     import pandas
@@ -45,7 +47,7 @@ class Emulators:
         return "\n".join(f"{name}: predicts {one.explained:.0%} ± {one.explained_error:.0%} of the variance of points; the 90 % intervals have "
                          f"{one.coverage:.0%}" for name, one in zip(self.names, self.processes, strict=True))
 
-    def fit(self, measured: _tracks.Tracks | Means, *, besides: Means | None = None,
+    def fit(self, measured: tracks.Tracks | Means, *, besides: Means | None = None,
             discrepancy: Mapping[str, float] | None = None, seed: int = 1) -> Fit:
         """The posterior of the parameters: the likelihood has the errors of the measured read-outs, of the emulators and of
         the model.
@@ -110,14 +112,14 @@ def fit(study: Source | Mapping[str, Source], measured: Any = None, readouts: Se
         raise ConfigurationError("\n".join(f"measured: {name}: is neither tracks nor a dictionary of numbers, as other conditions have"
                                            for name in odd))
     given = dict(measured) if several else {"": measured}
-    more = _arguments.mapping("besides", besides) if several else {"": besides}
+    more = arguments.mapping("besides", besides) if several else {"": besides}
     if unknown := [f"besides: {name}: nothing was measured under such a condition" for name in more if name not in given]:
         raise ConfigurationError("\n".join(unknown))
     wanted = _each(given, lambda name: measurement(given[name], _names(given[name], readouts, more.get(name)), more.get(name)))
     faults, own = _discrepancies(discrepancy, {name: list(one.table.index) for name, one in wanted.items()})
     kept = _held_back(wanted, held_back)
-    runs = runs_of(study, list(given) if several else [], list(_arguments.mapping("prior", prior, "a dictionary of ranges")))
-    intervals = {name: one.interval if isinstance(one, _tracks.Tracks) else interval for name, one in given.items()}
+    runs = runs_of(study, list(given) if several else [], list(arguments.mapping("prior", prior, "a dictionary of ranges")))
+    intervals = {name: one.interval if isinstance(one, tracks.Tracks) else interval for name, one in given.items()}
     points = _each(given, lambda name: simulated(runs[name], list(wanted[name].table.index), intervals[name], error))
     faults += [fault for name, one in points.items() for fault in said(name, size_faults(wanted[name].table, one.values))]
     if faults:
@@ -150,18 +152,18 @@ def _each(conditions: Iterable[str], made: Callable[[str], _Made]) -> dict[str, 
 
 def _names(measured: Any, readouts: Any, besides: Any) -> Any:
     """The read-outs of a condition."""
-    given = measured if isinstance(measured, Mapping) and not isinstance(measured, _tracks.Tracks) else {}
+    given = measured if isinstance(measured, Mapping) and not isinstance(measured, tracks.Tracks) else {}
     names = readouts if isinstance(readouts, str) else [*(given if readouts is None else readouts)]
-    return names if isinstance(names, str) else list(dict.fromkeys([*names, *_arguments.mapping("besides", besides)]))
+    return names if isinstance(names, str) else list(dict.fromkeys([*names, *arguments.mapping("besides", besides)]))
 
 
 def _held_back(wanted: Mapping[str, Measurement], given: Sequence[str]) -> dict[str, list[str]]:
     """The read-outs of each condition that are held back."""
     if isinstance(given, str):
-        raise _arguments.wrong("held_back", given, "a list of numbers")
+        raise arguments.wrong("held_back", given, "a list of numbers")
     names = {condition: list(one.table.index) for condition, one in wanted.items()}
-    kept = {condition: [name for name in own if name in given or _words.at(name, condition) in given] for condition, own in names.items()}
-    all_names = [_words.at(name, condition) for condition, own in names.items() for name in own]
+    kept = {condition: [name for name in own if name in given or words.at(name, condition) in given] for condition, own in names.items()}
+    all_names = [words.at(name, condition) for condition, own in names.items() for name in own]
     faults = [f"held_back: {name}: was not measured; there are {', '.join(all_names)}" for name in given
               if name not in all_names and not any(name in own for own in names.values())]
     if not faults and kept == names:
@@ -211,7 +213,7 @@ def prior_of(points: pandas.DataFrame, design: pandas.DataFrame, given: Mapping[
     :param points: those with read-outs   :param design: all of them   :param fixed: parameters that do not vary
     :return: the prior, faults, notes
     """
-    given = _arguments.mapping("prior", given, "a dictionary of ranges")
+    given = arguments.mapping("prior", given, "a dictionary of ranges")
     faults = [f"prior: {name}: is {fixed[name]:.6g} at all points, so no range can be fitted" if name in fixed else
               f"prior: the study does not vary {name}; it varies {', '.join(design)}" for name in given if name not in design]
     low, high, is_log, notes = [], [], [], []
@@ -230,7 +232,7 @@ def prior_of(points: pandas.DataFrame, design: pandas.DataFrame, given: Mapping[
         elif len(done) and (side := beyond(done, ends, is_log[-1])):
             notes.append(f"prior: {name}: {ends[0]:.4g} to {ends[1]:.4g} goes {side} the points with read-outs, {done.min():.4g} to "
                          f"{done.max():.4g}: nothing is known there, and the emulators extrapolate")
-    whole = [(known := _words.parameter_of(name)) is not None and known.kind == "integer" for name in design]
+    whole = [(known := words.parameter_of(name)) is not None and known.kind == "integer" for name in design]
     return Prior(list(design), np.array(low), np.array(high), [log and not one for log, one in zip(is_log, whole, strict=True)], whole), faults, notes
 
 
@@ -255,8 +257,8 @@ def beyond(values: Array, ends: tuple[float, float], is_log: bool) -> str:
 
 def _discrepancies(given: Mapping[str, float] | None, names: Mapping[str, Sequence[str]]) -> tuple[list[str], dict[str, float]]:
     """Standard errors of the model, by the names of numbers or of read-outs; and faults.  :param names: of read-outs, by condition"""
-    own = dict(_arguments.mapping("discrepancy", given, "a dictionary of standard errors"))
-    known = {wanted for condition, readouts in names.items() for name in readouts for wanted in (name, _words.at(name, condition))}
+    own = dict(arguments.mapping("discrepancy", given, "a dictionary of standard errors"))
+    known = {wanted for condition, readouts in names.items() for name in readouts for wanted in (name, words.at(name, condition))}
     faults = [f"discrepancy: {name}: is no read-out of the emulators" for name in own if name not in known]
     faults += [f"discrepancy: {name}: {value!r} is no standard error" for name, value in own.items()
                if not (isinstance(value, (int, float, np.number)) and np.isfinite(value) and 0 <= value < _largest_discrepancy)]
@@ -274,5 +276,5 @@ def _sensitivity(names: list[str], parameters: list[str], emulators: Sequence[Em
         first, total = _emulator.sobol(emulator, len(parameters), seed) if emulator.tells else \
             np.full((2, len(parameters), 3), np.nan)
         rows += [[name, parameter, *first[k], *total[k]] for k, parameter in enumerate(parameters)]
-    return _pandas().DataFrame(rows, columns=["readout", "parameter", "first", "first_5", "first_95", "total", "total_5",
+    return require_pandas().DataFrame(rows, columns=["readout", "parameter", "first", "first_5", "first_95", "total", "total_5",
                                               "total_95"])

@@ -9,13 +9,13 @@ from collections.abc import Iterator, Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from . import _arguments, _program, _schema
-from ._files import require_regular
-from ._load_core import core
-from ._schema import Parameter, Value
-from ._sections import Section as Section
-from ._sections import Sections, classes, help_text, of, unknown
-from .errors import ConfigurationError, Fault, InputOutputError
+from ..base import arguments, program
+from ..base.files import require_regular
+from ..base.load_core import core
+from ..errors import ConfigurationError, Fault, InputOutputError
+from . import schema
+from .schema import Parameter, Value
+from .sections import Section as Section, Sections, classes, help_text, of, unknown
 
 _usual_adaptive_step = 5.0  # s; the reference has the schema's default
 
@@ -77,18 +77,18 @@ class Scenario(Sections, Mapping[str, Value]):
             before there was such a parameter
         :param name: of the folder of a run, where none is given
         """
-        self.name = _arguments.text("name", name)
+        self.name = arguments.text("name", name)
         self._given: dict[str, Value] = {}
         self._cells: list[dict[str, Value]] = []
         faults: list[Fault] = []
-        given = dict(_arguments.mapping("values", values))
+        given = dict(arguments.mapping("values", values))
         written = given.pop("version", None) is not None  # by a program
         flat = list(_flat(given))
-        gone = _schema.gone()
+        gone = schema.gone()
         for path, value, nested in flat:
             if path in gone:  # earlier versions had it; one value is left
                 if not gone[path]["any"] and _plain(value) != gone[path]["left"]:
-                    faults.append(Fault(path, gone[path]["fate"].replace("{}", _schema.toml_text(_plain(value)))))
+                    faults.append(Fault(path, gone[path]["fate"].replace("{}", schema.toml_text(_plain(value)))))
                 continue
             try:
                 if nested:
@@ -99,9 +99,9 @@ class Scenario(Sections, Mapping[str, Value]):
         if faults:
             raise ConfigurationError(faults)
         if written:
-            for p in _schema.parameters().values():
+            for p in schema.parameters().values():
                 if p.before is not None and p.path not in self._given:
-                    self._given[p.path] = self[p.before] if p.before in _schema.parameters() else p.before
+                    self._given[p.path] = self[p.before] if p.before in schema.parameters() else p.before
 
     @classmethod
     def preset(cls, name: str) -> Scenario:
@@ -110,10 +110,10 @@ class Scenario(Sections, Mapping[str, Value]):
         :raises ConfigurationError: if there is none of that name
         :raises ProgramNotFound: without the program
         """
-        _arguments.text("name", name, "the name of a preset")
+        arguments.text("name", name, "the name of a preset")
         with tempfile.TemporaryDirectory() as folder:
             file = Path(folder) / "preset.toml"
-            outcome = _program.call(["new", str(file), "--preset", name, "--schema", "none"])
+            outcome = program.call(["new", str(file), "--preset", name, "--schema", "none"])
             if outcome.code != 0:
                 raise ConfigurationError(outcome.words.split("\nmatrigrate new")[0])
             return cls(_read(file), name=name)
@@ -125,9 +125,9 @@ class Scenario(Sections, Mapping[str, Value]):
         :raises ConfigurationError: with all that is wrong with it
         :raises InputOutputError: if it cannot be read
         """
-        path = _arguments.path("file", file)
+        path = arguments.path("file", file)
         scenario = cls(_read(path), name=path.stem)
-        for p in _schema.parameters().values():
+        for p in schema.parameters().values():
             text = str(scenario._given.get(p.path, ""))
             if p.kind == "field" and (named := _file_of(text)):  # relative names count from the file
                 name, options = named
@@ -152,11 +152,11 @@ class Scenario(Sections, Mapping[str, Value]):
         >>> scenario.cells
         [(-20.0, 0.0), (20.0, 0.0)]
         """
-        rows = _schema.cell_parameters()
+        rows = schema.cell_parameters()
         return [(float(rows["x"].number(cell["x"])), float(rows["y"].number(cell["y"]))) for cell in self._cells]
 
     def _set_cells(self, cells: Any) -> None:
-        rows = _schema.cell_parameters()
+        rows = schema.cell_parameters()
         found: list[dict[str, Value]] = []
         faults: list[Fault] = []
         for k, cell in enumerate(cells, start=1):
@@ -188,10 +188,10 @@ class Scenario(Sections, Mapping[str, Value]):
         self._given.pop(path, None)
 
     def __iter__(self) -> Iterator[str]:
-        return iter(_schema.parameters())
+        return iter(schema.parameters())
 
     def __len__(self) -> int:
-        return len(_schema.parameters())
+        return len(schema.parameters())
 
     if not TYPE_CHECKING:  # else no checker would find a section that does not exist
 
@@ -220,7 +220,7 @@ class Scenario(Sections, Mapping[str, Value]):
     __hash__ = None  # type: ignore[assignment] # it can change
 
     def __repr__(self) -> str:
-        changed = ", ".join(f"{path}={_schema.toml_text(value)}" for path, value in self.changed().items())
+        changed = ", ".join(f"{path}={schema.toml_text(value)}" for path, value in self.changed().items())
         cells = f"{len(self._cells)} cells" if self._cells else ""
         return f"Scenario({self.name}: {', '.join(filter(None, (cells, changed))) or 'all defaults'})"
 
@@ -233,7 +233,7 @@ class Scenario(Sections, Mapping[str, Value]):
 
     def changed(self) -> dict[str, Value]:
         """The values that differ from the defaults, as typed."""
-        rows = _schema.parameters()
+        rows = schema.parameters()
         return {path: value for path, value in self._given.items()
                 if self[path] != rows[path].number(rows[path].default)}
 
@@ -258,13 +258,13 @@ class Scenario(Sections, Mapping[str, Value]):
     def toml(self) -> str:
         """The text of a scenario file: what was set, each with its meaning and range."""
         text = "# A scenario of Matrigrate. What is left out has its default.\n"
-        for section, title in _schema.sections().items():
+        for section, title in schema.sections().items():
             rows = [p for p in of(section) if p.path in self._given]
             text += f"\n# {title}\n[{section}]\n" if rows else ""
             for p in rows:
-                text += f"# {p.meaning}; {p.allowed}\n{p.key} = {_schema.toml_text(self._given[p.path])}\n"
+                text += f"# {p.meaning}; {p.allowed}\n{p.key} = {schema.toml_text(self._given[p.path])}\n"
         for cell in self._cells:
-            text += "\n[[cells]]\n" + "".join(f"{key} = {_schema.toml_text(value)}\n" for key, value in cell.items())
+            text += "\n[[cells]]\n" + "".join(f"{key} = {schema.toml_text(value)}\n" for key, value in cell.items())
         return text
 
     def save(self, file: str | os.PathLike[str], *, overwrite: bool = False) -> Path:
@@ -275,8 +275,8 @@ class Scenario(Sections, Mapping[str, Value]):
         :raises ConfigurationError: with all that the program finds wrong; nothing was written
         :raises InputOutputError: if the file exists or cannot be written
         """
-        path = _arguments.path("file", file)
-        if _program.find() is not None:
+        path = arguments.path("file", file)
+        if program.find() is not None:
             self.check()
         try:
             with open(path, "w" if overwrite else "x", encoding="utf-8") as out:
@@ -291,7 +291,7 @@ class Scenario(Sections, Mapping[str, Value]):
     def check(self) -> None:
         """Asks the program, which also judges parameters together; raises ConfigurationError with all faults."""
         with self._as_file() as file:
-            _program.check(file)
+            program.check(file)
 
     @property
     def closures(self) -> str:
@@ -301,12 +301,12 @@ class Scenario(Sections, Mapping[str, Value]):
         """
         return core().closures(self.toml(), self.name)
 
-    def _as_file(self) -> _program.TemporaryScenario:
-        return _program.TemporaryScenario(self.name, self.toml())
+    def _as_file(self) -> program.TemporaryScenario:
+        return program.TemporaryScenario(self.name, self.toml())
 
 
 def _row(path: str) -> Parameter:
-    p = _schema.parameters().get(_arguments.text("path", path, 'a name such as "ecm.youngs_modulus"'))
+    p = schema.parameters().get(arguments.text("path", path, 'a name such as "ecm.youngs_modulus"'))
     if p is None:
         raise unknown(path)
     return p

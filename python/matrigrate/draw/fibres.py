@@ -5,7 +5,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from .fields import Fields
+from ..results.fields import Fields
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -67,7 +67,7 @@ def paint(axes: Axes, fields: Fields, scenario: dict[str, Any], k: int) -> Any:
     from matplotlib.collections import LineCollection
     from matplotlib.colors import Normalize
 
-    from ._drawing import colour_map, some_frames
+    from .drawing import colour_map, some_frames
 
     reference = fields["matrix/reference"][:, :2].astype(float)
     pairs = pairs_of(reference, bonds_of(fields, scenario))

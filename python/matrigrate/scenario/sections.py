@@ -6,9 +6,9 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-from . import _schema
-from ._schema import Parameter, Value
-from .errors import Fault, UnknownParameter
+from ..errors import Fault, UnknownParameter
+from . import schema
+from .schema import Parameter, Value
 
 if TYPE_CHECKING:
     from .scenario import Scenario
@@ -38,12 +38,12 @@ class Section:
         return [p.key for p in of(self._name)] + [name.rsplit(".", 1)[1] for name in inner(self._name)]
 
     def __repr__(self) -> str:
-        lines = [f"[{self._name}] {_schema.sections()[self._name]}; * differs from its default"]
+        lines = [f"[{self._name}] {schema.sections()[self._name]}; * differs from its default"]
         changed = self._scenario.changed()
         for p in of(self._name):
             mark = "*" if p.path in changed else " "
             value, unit = self._scenario[p.path], "" if p.unit == "1" else f" {p.unit}".rstrip()
-            shown = f"{value:g}{unit}" if isinstance(value, float) else f"{_schema.toml_text(value)}{unit}"
+            shown = f"{value:g}{unit}" if isinstance(value, float) else f"{schema.toml_text(value)}{unit}"
             lines.append(f"{mark} {p.key:<20} {shown:<18} {p.meaning}; {p.allowed}")
         return "\n".join(lines)
 
@@ -51,17 +51,17 @@ class Section:
 def help_text(p: Parameter) -> str:
     """Meaning, unit and range of a parameter, and the source of its default."""
     unit = f" A bare number is in {p.unit}." if p.kind in ("quantity", "angle") else ""
-    return f"{p.meaning}; {p.allowed}.{unit} Default: {_schema.toml_text(p.default)} ({p.source})."
+    return f"{p.meaning}; {p.allowed}.{unit} Default: {schema.toml_text(p.default)} ({p.source})."
 
 
 def of(section: str) -> list[Parameter]:
     """The parameters of a section, without sections inside it."""
-    return [p for p in _schema.parameters().values() if p.path.rsplit(".", 1)[0] == section]
+    return [p for p in schema.parameters().values() if p.path.rsplit(".", 1)[0] == section]
 
 
 def inner(section: str) -> list[str]:
     """The sections inside of one: "ecm.fields" of "ecm"."""
-    return [name for name in _schema.sections() if name.startswith(section + ".")]
+    return [name for name in schema.sections() if name.startswith(section + ".")]
 
 
 def _attribute(p: Parameter) -> property:
@@ -78,7 +78,7 @@ def _section_class(name: str, title: str) -> type[Section]:
     attributes: dict[str, Any] = {p.key: _attribute(p) for p in of(name)}
     for within in inner(name):
         attributes[within.rsplit(".", 1)[1]] = property(lambda self, within=within: classes[within](self._scenario),
-                                                        doc=_schema.sections()[within] + ".")
+                                                        doc=schema.sections()[within] + ".")
     attributes |= {"_name": name, "__doc__": title + ".", "__module__": __name__}
     return type(class_name(name), (Section,), attributes)
 
@@ -93,10 +93,10 @@ def class_name(section: str) -> str:
 
 
 def _section(name: str) -> property:
-    return property(lambda scenario: classes[name](scenario), doc=_schema.sections()[name] + ".")
+    return property(lambda scenario: classes[name](scenario), doc=schema.sections()[name] + ".")
 
 
-classes = {name: _section_class(name, title) for name, title in _schema.sections().items()}
+classes = {name: _section_class(name, title) for name, title in schema.sections().items()}
 globals().update({one.__name__: one for one in classes.values()})
 Sections = type("Sections", (), {name: _section(name) for name in classes if "." not in name} | {
     "__doc__": "The sections of a scenario, as attributes.", "__module__": __name__, "__slots__": ()})
@@ -104,4 +104,4 @@ Sections = type("Sections", (), {name: _section(name) for name in classes if "."
 
 def unknown(path: str, is_section: bool = False) -> UnknownParameter:
     """The exception for a name that nothing has, with the nearest that something has."""
-    return UnknownParameter(Fault(path, _schema.unknown_words(path, is_section)))
+    return UnknownParameter(Fault(path, schema.unknown_words(path, is_section)))

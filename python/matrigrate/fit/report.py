@@ -11,17 +11,17 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from . import _words
-from ._files import _pandas
-from ._version import __version__
-from ._words import blue, grey, red
+from .._version import __version__
+from ..base.files import require_pandas
+from ..draw import words as _words
+from ..draw.words import blue, grey, red
 
 if TYPE_CHECKING:
     import pandas
 
-    from ._emulator import Array, Prior
-    from ._posterior import Fit
-    from .tracks import Tracks
+    from .emulator import Array, Prior
+    from .posterior import Fit
+    from ..tracks import Tracks
 
 _ink = "#1a2b3d"  # of figures; the page replaces it by the colour of its text
 _style = """:root{--text:#1f2328;--soft:#57606a;--line:#d0d7de;--ground:#fff;--blue:#0072b2;--red:#d55e00;color-scheme:light dark}
@@ -265,7 +265,7 @@ def _left(fit: Fit) -> pandas.DataFrame:
         rows[name] = {"plausible": float(own["plausible"].iloc[0])}
         for parameter, low, high in zip(own["parameter"], own["low"], own["high"], strict=True):
             rows[name][_words.title(parameter)] = f"{_words.number(low)} to {_words.number(high)}" if np.isfinite(low) else ""
-    return _pandas().DataFrame.from_dict(rows, orient="index")
+    return require_pandas().DataFrame.from_dict(rows, orient="index")
 
 
 def _against_each_other(fit: Fit) -> str:

@@ -4,8 +4,8 @@ from __future__ import annotations
 import webbrowser
 from pathlib import Path
 
-from . import _program
-from .errors import InputOutputError
+from ..errors import InputOutputError
+from . import program
 
 
 def live(*, show: bool = True) -> Path:
@@ -15,13 +15,13 @@ def live(*, show: bool = True) -> Path:
     :param show: False only returns where it is
     :raises InputOutputError: if neither this package nor the program has the page, saying where to get it
     """
-    page = Path(__file__).with_name("live.html")
+    page = Path(__file__).parents[1] / "live.html"
     if not page.is_file():
-        if _program.find() is None:
+        if program.find() is None:
             raise InputOutputError(f"the live page is not here: there is no {page}, and no program that has it. The wheel, the Debian "
                                    "package and the folder of a release have the page; a clone has it in live/")
-        outcome = _program.call(["live", "--print"])
-        _program.raise_for(outcome, None)
+        outcome = program.call(["live", "--print"])
+        program.raise_for(outcome, None)
         page = Path(outcome.out.strip())
     if show:
         webbrowser.open(page.as_uri())

@@ -13,8 +13,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import IO, Any
 
-from .errors import (ConfigurationError, Fault, InputOutputError, InternalError, NumericalError, ProgramNotFound,
-                     Stopped, UsageError)
+from ..errors import ConfigurationError, Fault, InputOutputError, InternalError, NumericalError, ProgramNotFound, Stopped, UsageError
 
 _look_every = 0.2  # s
 
@@ -53,7 +52,7 @@ class TemporaryScenario:
 def find() -> str | None:
     """The program: what the environment variable MATRIGRATE names, else the one in the wheel, else the first on PATH; none if there is none."""
     named = os.environ.get("MATRIGRATE")
-    inside = Path(__file__).parent / "bin" / "matrigrate"
+    inside = Path(__file__).parents[1] / "bin" / "matrigrate"
     return str(inside) if not named and inside.is_file() else shutil.which(named or "matrigrate")
 
 

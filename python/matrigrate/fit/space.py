@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ._emulator import Array
+from .emulator import Array
 
 _enough = 400  # points below the level
 _walkers = 3000

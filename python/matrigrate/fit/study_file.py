@@ -7,10 +7,12 @@ import tomllib
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from . import _arguments, _program, _schema, _words
-from ._files import read_text
-from .errors import ConfigurationError, InputOutputError
-from .studies import Study
+from ..base import arguments, program
+from ..base.files import read_text
+from ..draw import words
+from ..errors import ConfigurationError, InputOutputError
+from ..results.studies import Study
+from ..scenario import schema
 
 if TYPE_CHECKING:
     import pandas
@@ -24,8 +26,8 @@ def write_points(file: Path, points: pandas.DataFrame, like: Study | str | os.Pa
     :raises ConfigurationError: with all that is wrong with the file; it is not kept then
     :raises InputOutputError: if the file is there already
     """
-    source = like.folder / "study.resolved.toml" if isinstance(like, Study) else _arguments.path("like", like)
-    named = {column: _words.parameter_of(column) for column in points}
+    source = like.folder / "study.resolved.toml" if isinstance(like, Study) else arguments.path("like", like)
+    named = {column: words.parameter_of(column) for column in points}
     if unknown := [f"{column}: is no parameter of the program; the next wave is written of a fit whose columns are named as in the tables of a study"
                    for column, known in named.items() if known is None]:
         raise ConfigurationError("\n".join(unknown))
@@ -42,7 +44,7 @@ def write_points(file: Path, points: pandas.DataFrame, like: Study | str | os.Pa
     except OSError as error:
         raise InputOutputError(f"{file}: {error.strerror}", file) from None
     try:
-        _program.check(file)
+        program.check(file)
     except ConfigurationError:
         file.unlink()
         raise
@@ -53,7 +55,7 @@ def _next_wave(text: str) -> int:
     return max((int(number) for number in re.findall(r"^# after wave (\d+)$", text, re.MULTILINE)), default=1) + 1
 
 
-def _value(parameter: _schema.Parameter, value: float) -> str:
+def _value(parameter: schema.Parameter, value: float) -> str:
     if parameter.kind == "integer":
         return str(round(value))
     return f"{value:.6g}" if parameter.unit in ("", "1") else f"\"{value:.6g} {parameter.unit}\""
@@ -75,4 +77,4 @@ def _without_points(text: str, here: Path, there: Path) -> str:
 
 def _from(there: Path, here: Path, line: str) -> str:
     """A line that names a file from one folder, as it stands in another."""
-    return "".join(f"{key} = {_schema.toml_text(os.path.relpath(here / name, there))}" for key, name in tomllib.loads(line).items())
+    return "".join(f"{key} = {schema.toml_text(os.path.relpath(here / name, there))}" for key, name in tomllib.loads(line).items())

@@ -1,7 +1,6 @@
 """The parameters of a scenario, from the JSON schema that the program writes, and what is allowed for each."""
 from __future__ import annotations
 
-import datetime
 import functools
 import json
 import re
@@ -9,7 +8,8 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from ._load_core import core
+from ..base.arguments import type_words
+from ..base.load_core import core
 
 Value = str | int | float | bool  #: of a parameter, as it is typed
 
@@ -50,15 +50,6 @@ class Parameter:
     def fault(self, value: Any) -> str:
         """The fault of a value, in the words of the program; empty for a good value."""
         return judge(self.path, value)[0]
-
-
-def type_words(value: Any) -> str:
-    if isinstance(value, bool):
-        return "a flag"
-    kinds: list[tuple[Any, str]] = [(str, "a string"), ((int, float), "a number"), (dict, "a table"),
-                                    ((list, tuple), "an array"),
-                                    ((datetime.date, datetime.time, datetime.timedelta), "a date or time")]
-    return next((words for kind, words in kinds if isinstance(value, kind)), f"of the type {type(value).__name__}")
 
 
 def toml_text(value: Value) -> str:
@@ -138,7 +129,7 @@ def _document() -> dict[str, Any]:
 
 def table(name: str) -> Any:
     """A table that the program wrote, or that the pages have as well: of an installed package, or of the source tree."""
-    folder = Path(__file__).parent
+    folder = Path(__file__).parents[1]
     places = (folder / name, folder.parents[1] / "docs" / name, folder.parents[1] / "viewer" / "src" / name)
     return json.loads(next(place for place in places if place.exists()).read_text(encoding="utf-8"))
 

@@ -8,13 +8,14 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from . import _arguments, _motility
-from . import tracks as _tracks
-from ._files import _pandas
-from ._conditions import Runs, require_study, runs_of
-from ._load_core import core
-from .errors import ConfigurationError
-from .studies import Study
+from .. import tracks as _tracks
+from ..base import arguments
+from ..base.files import require_pandas
+from ..base.load_core import core
+from ..errors import ConfigurationError
+from ..results.studies import Study
+from ..tracks import motility
+from .conditions import Runs, require_study, runs_of
 
 if TYPE_CHECKING:
     import pandas
@@ -79,10 +80,10 @@ class Points:
                 for name, n in zip(self.values.columns, missing.sum(axis=0), strict=True) if n]
 
     def _need(self, name: str) -> str:
-        if name not in _motility.meanings():
+        if name not in motility.meanings():
             return "is not defined in their runs, or no number"
         there = f"; simulated ones have {self.positions - 1}" if self.positions else ""
-        return f"{_motility.needs.get(name, 'needs tracks of two positions')}{there if 'intervals' in _motility.needs.get(name, '') else ''}"
+        return f"{motility.needs.get(name, 'needs tracks of two positions')}{there if 'intervals' in motility.needs.get(name, '') else ''}"
 
 
 Means = Mapping[str, tuple[float | tuple[float, float], float]]
@@ -99,24 +100,24 @@ def measurement(measured: _tracks.Tracks | Means, names: Sequence[str], besides:
     _require_measured(measured)
     if is_tracks:
         core()  # without it there is no read-out of tracks: it says so
-    _arguments.mapping("besides", besides, "a dictionary of means and standard errors")
+    arguments.mapping("besides", besides, "a dictionary of means and standard errors")
     if isinstance(names, str):
-        raise _arguments.wrong("readouts", names, "a list of read-outs")
+        raise arguments.wrong("readouts", names, "a list of read-outs")
     means = dict(besides or {}) if is_tracks else {**measured, **(besides or {})}
     if odd := [f"{name}: {value!r} is no mean with its standard error; write {{\"{name}\": (14.4, 4.8)}}, or ((12, 16), 4.8) of a range"
                for name, value in means.items() if not _is_measured(value)]:
         raise ConfigurationError("\n".join(odd))
     rows = {name: _row(value, error) for name, (value, error) in means.items()}
-    table = _pandas().DataFrame.from_dict(rows, orient="index", columns=["value", "standard_error", "low", "high"], dtype=float)
-    own = [name for name in names if name in _motility.meanings() and name not in means] if is_tracks else []
+    table = require_pandas().DataFrame.from_dict(rows, orient="index", columns=["value", "standard_error", "low", "high"], dtype=float)
+    own = [name for name in names if name in motility.meanings() and name not in means] if is_tracks else []
     if own:
         n = len(measured)
         share = n / max(1, n - 1)  # the bootstrap's variance is too small by it
         found = measured.readouts().loc[own, ["value", "standard_error"]] * [1.0, share**0.5]
         found = found.assign(low=found["value"], high=found["value"])
-        table = _pandas().concat([found, table])
+        table = require_pandas().concat([found, table])
     lacking = [name for name in names if name not in table.index]
-    known = f"; tracks have {', '.join(_motility.meanings())}" if is_tracks else ""
+    known = f"; tracks have {', '.join(motility.meanings())}" if is_tracks else ""
     faults = [f"{name}: has no measured value{known}" for name in lacking]
     faults += [f"{name}: is measured, but not among the read-outs {', '.join(names)}" for name in means if names and name not in names]
     faults += _faults(table.loc[[name for name in names if name not in lacking]], measured)
@@ -141,7 +142,7 @@ def _require_measured(measured: Any) -> None:
         raise TypeError(f"measured is the text {str(measured)!r}; tracks are expected, as "
                         f"matrigrate.tracks.read({str(measured)!r}) gives them, or a dictionary of means and standard errors")
     if not isinstance(measured, Mapping):
-        raise _arguments.wrong("measured", measured, "tracks, or a dictionary of means and standard errors,")
+        raise arguments.wrong("measured", measured, "tracks, or a dictionary of means and standard errors,")
 
 
 def _is_pair(value: Any) -> bool:
@@ -163,7 +164,7 @@ def _row(value: Any, error: float) -> tuple[float, float, float, float]:
 def _faults(table: pandas.DataFrame, measured: Any) -> list[str]:
     faults = []
     for name, row in table.iterrows():
-        why = f": it {_motility.needs[name]}" if isinstance(measured, _tracks.Tracks) and name in _motility.needs else ""
+        why = f": it {motility.needs[name]}" if isinstance(measured, _tracks.Tracks) and name in motility.needs else ""
         if not row["low"] <= row["high"] and np.isfinite(row["low"]):
             faults.append(f"{name}: ({row['low']:g}, {row['high']:g}) is no range from a lower to a higher end")
         elif not np.abs(row["value"]) < np.inf:
@@ -215,12 +216,12 @@ def simulated(study: Study | Runs, names: Sequence[str], interval: float | None,
     if not isinstance(study, Runs):
         require_study(study)
     if isinstance(names, str):
-        raise _arguments.wrong("readouts", names, "a list of read-outs")
+        raise arguments.wrong("readouts", names, "a list of read-outs")
     runs = study if isinstance(study, Runs) else runs_of(study, [], [])[""]
     if interval is not None:
         core()  # as above
     known, results = runs.readouts, runs.table
-    of_tracks = [name for name in names if name in _motility.meanings() and (interval is not None and runs.studies or name not in known)]
+    of_tracks = [name for name in names if name in motility.meanings() and (interval is not None and runs.studies or name not in known)]
     of_runs = [name for name in names if name not in of_tracks]
     _require_numbers(runs, of_tracks, of_runs, interval)
     rows, points, counts, done, all_seen = [], [], [], [], list[_tracks.Tracks]()
@@ -239,7 +240,7 @@ def simulated(study: Study | Runs, names: Sequence[str], interval: float | None,
         counts.append(dict.fromkeys(of_tracks, len(of_point)) | dict(own.count()))
         done.append(len(of_point))
     lengths = [len(track) for seen in all_seen for track in seen.values()]
-    frame = _pandas().DataFrame
+    frame = require_pandas().DataFrame
     of_all = frame(counts, columns=list(names))
     notes = [f"{name}: {int(few)} of {sum(done)} runs that are done do not have it; their points have the mean of the others, or none"
              for name, few in (sum(done) - of_all.sum()).items() if few > 0]
@@ -251,7 +252,7 @@ def _require_numbers(runs: Runs, of_tracks: Sequence[str], of_runs: Sequence[str
     known = runs.readouts
     faults = [f"{name}: only numbers can be fitted" for name in runs.parameters if runs.table[name].dtype == object]
     if unknown := [name for name in of_runs if name not in known]:
-        faults.append(f"there is no read-out {', '.join(unknown)}; there are {', '.join([*_motility.meanings(), *known])}")
+        faults.append(f"there is no read-out {', '.join(unknown)}; there are {', '.join([*motility.meanings(), *known])}")
     faults += [f"{name}: is no number in the runs" for name in of_runs if name in known and runs.table[name].dtype == object]
     if of_tracks and not runs.studies:
         faults.append(f"{', '.join(of_tracks)}: a data frame has no tracks")
@@ -267,7 +268,7 @@ def differences(points: Points, wanted: Measurement) -> list[str]:
     """In what simulated and measured tracks differ, where a read-out depends on it."""
     notes = []
     few = int(points.runs.min(initial=0))
-    biased = [name for name in wanted.table.index if name in _motility.meanings() and name not in _means]
+    biased = [name for name in wanted.table.index if name in motility.meanings() and name not in _means]
     if biased and few != wanted.cells:
         notes.append(f"{', '.join(biased)}: depends on the number of tracks; a point has {few}, "
                      + (f"{wanted.cells} were measured" if wanted.cells else "give it as many as were measured"))

@@ -6,13 +6,15 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from . import _raster, _schema, _words
-from .fields import Fields
+from ..results import raster
+from ..results.fields import Fields
+from ..scenario import schema
+from . import words
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-    from .tracks import Tracks
+    from ..tracks import Tracks
 
 Array = np.ndarray[Any, Any]
 Window = tuple[float, float, float, float]  # left, right, bottom, top [um]
@@ -20,7 +22,7 @@ Window = tuple[float, float, float, float]  # left, right, bottom, top [um]
 overlays = ("fibres", "cell", "nucleus", "protrusions", "adhesions", "path", "traction", "numbers", "scale bar", "legend",
             "colour bar")
 
-_colours = _schema.table("colours.json")  # as on the pages
+_colours = schema.table("colours.json")  # as on the pages
 _single, _several, _nucleus, _ink, _obstacle, _traction = (_colours[name] for name in ("cell", "cells", "nucleus", "ink", "obstacle", "traction"))
 _gel, _ground = _colours["gel"], _colours["gel"][0]
 _phases = tuple(zip(("growing", "maturing", "contracting", "finishing"), _colours["phases"], strict=True))
@@ -133,8 +135,8 @@ def matrix(axes: Axes, fields: Fields, field: str, k: int, window: Window, limit
     if fluid or field == "f_degr":
         solid = np.ones_like(solid)
     shown = ScalarMappable(Normalize(*limits), colour_map(field))
-    grid = _raster.Grid.over(window, (window[1] - window[0]) / 400)
-    every, kept, sums = _raster.smoothed(grid, place, [np.ones_like(solid), solid, solid * values], 2.0 * spacing)
+    grid = raster.Grid.over(window, (window[1] - window[0]) / 400)
+    every, kept, sums = raster.smoothed(grid, place, [np.ones_like(solid), solid, solid * values], 2.0 * spacing)
     with np.errstate(invalid="ignore", divide="ignore"):
         share, mean = np.nan_to_num(kept / every), np.nan_to_num(sums / kept)
     x, y = grid.centres()
@@ -328,7 +330,7 @@ def track_msd(axes: Axes, tracks: Tracks) -> tuple[Any, Any]:
     """Mean square displacement over lags [min]; its lags and values."""
     table = tracks.msd().dropna()
     lag, square = table["lag_s"].to_numpy(float) / 60, table["msd_um2"].to_numpy(float)
-    axes.plot(lag, square, "o-", color=_words.blue, markersize=3)
+    axes.plot(lag, square, "o-", color=words.blue, markersize=3)
     return lag, square
 
 
@@ -339,19 +341,19 @@ def track_quality(axes: Any, tracks: Tracks) -> None:
     steps, pairs, drift = axes
     lengths = np.concatenate([np.hypot(*(track[1:] - track[:-1]).T) for track in tracks.values()])
     lengths = lengths[np.isfinite(lengths)]
-    steps.hist(lengths, bins=40, color=_words.grey)
+    steps.hist(lengths, bins=40, color=words.grey)
     leaps = suspects[suspects["kind"] == "leap"]
     for _, row in leaps.iterrows():
-        steps.axvline(row["value"], color=_words.red, linewidth=1)
+        steps.axvline(row["value"], color=words.red, linewidth=1)
     steps.set(xlabel="step between positions (µm)", ylabel="steps", title=f"leaps: {len(leaps)}")
     of_pairs = tracks.pairs()
     double = set(zip(suspects.loc[suspects["kind"] == "double", "track"], suspects.loc[suspects["kind"] == "double", "other"]))
-    colours = [_words.red if (row.track, row.other) in double else _words.grey for row in of_pairs.itertuples()]
+    colours = [words.red if (row.track, row.other) in double else words.grey for row in of_pairs.itertuples()]
     pairs.scatter(of_pairs["distance_um"], of_pairs["correlation"], s=9, c=colours)
     pairs.set(xlabel="mean distance of two tracks (µm)", ylabel="correlation of their steps", ylim=(-1.05, 1.05), title=f"doubles: {len(double)}")
     way = tracks.drift()
-    drift.plot(way[:, 0], way[:, 1], color=_words.blue)
-    drift.plot(0, 0, "o", color=_words.blue, markerfacecolor="white")
+    drift.plot(way[:, 0], way[:, 1], color=words.blue)
+    drift.plot(0, 0, "o", color=words.blue, markerfacecolor="white")
     drift.set(xlabel="x (µm)", ylabel="y (µm)", title="drift: sum of mean steps", aspect="equal", adjustable="datalim")
 
 

@@ -8,18 +8,18 @@ import sys
 from pathlib import Path
 from types import ModuleType
 
-from .errors import CoreNotFound
+from ..errors import CoreNotFound
 
 
 def core() -> ModuleType:
-    """The compiled module: where the environment variable MATRIGRATE_CORE says; else beside this file, or in a clone where ./demo builds it.
+    """The compiled module: where the environment variable MATRIGRATE_CORE says; else in the folder of the package, or in a clone where ./demo builds it.
 
     :raises CoreNotFound: if it is in none of these places
     """
     name = "matrigrate._core"
     if name in sys.modules:
         return sys.modules[name]
-    here = Path(__file__).resolve().parent
+    here = Path(__file__).resolve().parents[1]
     named = os.environ.get("MATRIGRATE_CORE")
     built = here.parents[1] / "build" / "release" / "python"
     places = [named] if named else [str(folder / f"_core{end}") for folder in (here, built) for end in importlib.machinery.EXTENSION_SUFFIXES]

@@ -1,0 +1,1 @@
+"""What all rooms use: the program, the compiled module, arguments, files."""

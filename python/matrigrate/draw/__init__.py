@@ -1,0 +1,1 @@
+"""What ``matrigrate.plot`` and reports are drawn with."""

@@ -1,0 +1,1 @@
+"""From measured numbers to parameters: ``matrigrate.calibrate`` is the door."""

@@ -1,0 +1,1 @@
+"""Runs and studies: computed, read, and their fields."""

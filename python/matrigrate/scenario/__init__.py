@@ -1,0 +1,1 @@
+"""Scenarios, their parameters and what may stand in them."""
