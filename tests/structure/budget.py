@@ -17,13 +17,13 @@ budget = {
     "src/validation": 2831,
     "src/study": 8226,
     "apps": 5598,
-    "python": 6928,
+    "python": 6948,
     "R": 751,
     "web": 1243,
     "viewer/src": 10597,
 }
 wide = {"python": 336, "R": 45, "web": 43, "viewer/src": 217}  # lines of more than 120 columns
-most_files = 1241
+most_files = 1250
 endings = (".cpp", ".hpp", ".h", ".py", ".ts", ".css", ".mjs", ".R")
 
 
