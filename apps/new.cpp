@@ -3,13 +3,17 @@
 #include "base/failure.hpp"
 #include "base/file.hpp"
 #include "parameters/document.hpp"
+#include "parameters/nearest.hpp"
 #include "parameters/write.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <filesystem>
 #include <memory>
+#include <string>
+#include <vector>
 
 namespace matrigrate::apps {
 
@@ -72,6 +76,14 @@ int write_scenario(const NewArguments& options) {
 }
 
 } // namespace
+
+const Preset& preset_named(const std::string& name) {
+  if (const Preset* preset = find_preset(name)) return *preset;
+  std::vector<std::string> names;
+  for (const Preset& preset : presets()) names.emplace_back(preset.name);
+  throw UsageError(fmt::format("there is no preset \"{}\"{}\nThe presets are: {}", excerpt(name),
+                               did_you_mean(nearest(name, names)), fmt::join(names, ", ")));
+}
 
 void add_new(CLI::App& app, Action& chosen) {
   CLI::App* verb = app.add_subcommand("new", "Write a commented scenario file; never overwrites one");

@@ -1,9 +1,11 @@
 #pragma once
 
+#include "parameters/presets.hpp"
 #include "run/status.hpp"
 
 #include <functional>
 #include <stdexcept>
+#include <string>
 
 /// What the verbs of the program share. Each is a file with a function that adds it to the command line; when it is
 /// given, it sets what is to be done. Verbs, exit codes and exceptions are brought together in main.cpp and nowhere
@@ -33,6 +35,9 @@ class UsageError : public std::runtime_error {
 public:
   using std::runtime_error::runtime_error;
 };
+
+/// @throws UsageError, with all names, if there is no preset of that name
+const Preset& preset_named(const std::string& name);
 
 /// What the chosen verb does. @return the exit code
 using Action = std::function<int()>;

@@ -1,7 +1,5 @@
 #include "parameters/presets.hpp"
 
-#include "parameters/document.hpp"
-#include "parameters/nearest.hpp"
 #include "parameters/read.hpp"
 #include "parameters/schema.hpp"
 
@@ -149,16 +147,6 @@ const Preset* find_preset(std::string_view name) {
   const auto all = presets();
   const auto preset = std::ranges::find(all, name, &Preset::name);
   return preset == all.end() ? nullptr : &*preset;
-}
-
-const Preset& preset_named(const std::string& name) {
-  if (const Preset* preset = find_preset(name)) return *preset;
-  std::vector<std::string> names;
-  for (const Preset& preset : presets()) names.emplace_back(preset.name);
-  Fault fault;
-  fault.message = fmt::format("there is no preset \"{}\"{}\nThe presets are: {}", excerpt(name),
-                              did_you_mean(nearest(name, names)), fmt::join(names, ", "));
-  throw ConfigurationError({fault});
 }
 
 Parameters parameters_of(const Preset& preset) {

@@ -31,9 +31,6 @@ std::span<const Template> templates();
 /// @return the preset of that name, or null
 const Preset* find_preset(std::string_view name);
 
-/// @throws ConfigurationError, with all names, if there is none of that name
-const Preset& preset_named(const std::string& name);
-
 Parameters parameters_of(const Preset& preset);
 
 } // namespace matrigrate

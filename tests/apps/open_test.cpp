@@ -149,7 +149,7 @@ TEST_F(Demo, RunsWithoutAScenarioAndNeverOverwrites) {
     EXPECT_EQ(ended.code, 0) << ended.err;
     EXPECT_TRUE(exists(expected));
   }
-  EXPECT_EQ(run("demo --preset nothing").code, 3);
+  EXPECT_EQ(run("demo --preset nothing").code, 2);
   EXPECT_EQ(run("demo --hours -1").code, 3);
   EXPECT_EQ(run("demo -o matrigrate-demo").code, 5) << "that folder is in use";
   EXPECT_EQ(entries(), 2U);

@@ -72,7 +72,7 @@ TEST_F(Program, SampleTellsAllFaultsAtOnce) {
   EXPECT_EQ(none.code, 3);
   EXPECT_TRUE(none.err.find("none.toml: targets: there are none; write [[targets]]") != std::string::npos) << none.err;
   EXPECT_EQ(run("sample --targets nowhere.toml").code, 5);
-  EXPECT_EQ(run("sample --preset sotf").code, 3);
+  EXPECT_EQ(run("sample --preset sotf").code, 2);
   EXPECT_EQ(run("sample --preset soft --scenario f.toml").code, 2);
 }
 

@@ -57,7 +57,7 @@ TEST_F(Program, UsageErrors) {
   EXPECT_EQ(verb.code, 2);
   EXPECT_TRUE(verb.err.starts_with("matrigrate: there is no verb \"exlpain\"; did you mean explain?\n")) << verb.err;
   const Ended preset = run("new f.toml --preset sotf");
-  EXPECT_EQ(preset.code, 3);
+  EXPECT_EQ(preset.code, 2);
   EXPECT_TRUE(contains(preset.err, "there is no preset \"sotf\"; did you mean soft?\nThe presets are: baseline, "))
       << preset.err;
   for (const Template& file : templates()) EXPECT_TRUE(contains(preset.err, std::string(file.name))) << preset.err;

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <vector>
 
 namespace matrigrate {
@@ -61,7 +60,7 @@ void initiate_at_a_rate(Cell& cell, const Instant& now, const Parameters& p, dou
 
 /// How likely each particle is a candidate, front or rear. A rate that is the same for all tells none from another.
 std::vector<double> likelihoods(const Outline& outline) {
-  const bool even = std::ranges::adjacent_find(outline.rate, std::not_equal_to<>()) == outline.rate.end();
+  const bool even = std::ranges::all_of(outline.rate, [&](double rate) { return rate == outline.rate.front(); });
   std::vector<double> all(outline.rate.size(), 1.0);
   for (std::size_t i = 0; i < all.size(); ++i)
     all[i] = (outline.propensity.empty() ? 1.0 : outline.propensity[i]) * (even ? 1.0 : outline.rate[i]);

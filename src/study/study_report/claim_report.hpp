@@ -7,7 +7,7 @@
 #include <vector>
 
 /// The files that `matrigrate reproduce` writes of its verdicts. Test: tests/apps/reproduce_test.cpp,
-/// viewer/tests/kept_page.test.ts
+/// viewer/tests/verdict_page.test.ts
 namespace matrigrate::study {
 
 /// What the page says of how it was made.

@@ -18,9 +18,9 @@ using namespace matrigrate;
 
 namespace {
 
-/// Eq. 5 in other words, so that it is tabulated.
+/// Eq. 5 by another formula, so that it is tabulated.
 const std::vector<std::string> paper_in_other_words{
-    "laws.fibre_stiffness=eps < 0 ? 0 : (eps <= eps_s ? 1 : exp((eps - eps_s)/d_s))"};
+    "laws.fibre_stiffness=eps < 0 ? 0 : eps <= eps_s ? 1 : 1*exp((eps - eps_s)/d_s)"};
 
 } // namespace
 
