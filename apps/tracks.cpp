@@ -142,10 +142,10 @@ double error_of(const TracksArguments& asked) {
   return error;
 }
 
-/// "control" of data/control.csv; the whole of what was typed where two files have one name.
+/// "control" of data/control.csv; the whole of what was typed where two files, or a file and the model, have one name.
 std::string label_of(const std::string& file, const std::vector<std::string>& files) {
   const auto stem = [](const std::string& one) { return std::filesystem::path(one).stem().string(); };
-  return std::ranges::count(files, stem(file), stem) == 1 ? stem(file) : file;
+  return std::ranges::count(files, stem(file), stem) == 1 && stem(file) != "model" ? stem(file) : file;
 }
 
 /// The page of all files beside a run or a study.
@@ -154,6 +154,11 @@ int show_beside(TracksArguments asked) {
   const run::FolderState state = run::look_at(asked.beside);
   run::require(state, run::Use::see_either);
   if (asked.output.empty()) asked.output = "beside.html";
+  if (asked.json) throw UsageError("--json prints the read-outs of one file; --beside writes a page");
+  std::error_code ignored;
+  for (const std::string& file : asked.files)
+    if (std::filesystem::equivalent(asked.output, file, ignored))
+      throw InputOutputError(fmt::format("{}: is a file of tracks itself; name another one", asked.output));
   if (!asked.force && std::filesystem::exists(asked.output))
     throw InputOutputError(fmt::format("{}: exists; --force replaces it, -o names another file", asked.output));
   std::vector<study::CellGroup> groups;
@@ -164,6 +169,7 @@ int show_beside(TracksArguments asked) {
   study::require_comparable(groups);
   const study::Microscope microscope{
       .interval = groups.front().tracks.interval, .duration = study::usual_duration(groups), .error = error};
+  for (study::CellGroup& group : groups) study::cut(group.tracks, microscope.duration);
   const std::vector<study::CellGroup> simulated = study::simulated_cells(asked.beside, microscope);
   groups.insert(groups.end(), simulated.begin(), simulated.end());
   Json page = study::beside_data(groups, microscope);
@@ -228,10 +234,11 @@ void add_tracks(CLI::App& app, Action& chosen) {
   verb->add_flag("--drift", options->drift, "Take the mean motion of all tracks away, where five go on together");
   verb->add_option("--every", options->every, "Take positions at a longer interval [s], a whole multiple");
   verb->add_option("--error", options->error,
-                   "Localisation error of a coordinate [um], taken off the mean square displacement");
+                   "Localisation error of a coordinate [um], taken off the mean square displacement; with --beside "
+                   "added to simulated coordinates");
   verb->add_option("--resamples", options->resamples, "Draws of the bootstrap (default 200)")
       ->check(CLI::Range(0, 100000));
-  verb->add_option("-o,--output", options->output, "Write the tracks into this CSV file")
+  verb->add_option("-o,--output", options->output, "Write the tracks into this CSV file; with --beside the page")
       ->check([](const std::string& file) { return std::string(file.empty() ? "names no file" : ""); });
   verb->add_flag("--force", options->force, "Replace that file");
   verb->add_flag("--json", options->json, "Print JSON");

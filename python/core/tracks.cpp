@@ -1,4 +1,4 @@
-// Tracks and their read-outs in matrigrate._core. What users see is matrigrate.tracks (python/matrigrate/tracks.py).
+// Tracks and their read-outs in matrigrate._core. What users see is matrigrate.tracks (python/matrigrate/tracks/__init__.py).
 #include "tracks.hpp"
 
 #include "base/failure.hpp"

@@ -183,7 +183,7 @@ std::vector<Rule> with_laws(std::vector<Rule> rules) {
                      {readable_constants},
                      [&law](const Parameters& p) { return is_changed(law, p); },
                      true});
-  std::ranges::move(rules, std::back_inserter(all));
+  std::move(rules.begin(), rules.end(), std::back_inserter(all));
   return all;
 }
 

@@ -470,7 +470,6 @@ TEST_F(Study, ReproduceRunsAndJudges) {
   EXPECT_EQ(file("reproduce/stiffness/results.csv"), results) << "rows share their runs";
   EXPECT_EQ(run("reproduce A9").code, 2);
   EXPECT_EQ(run("reproduce E5" + tiny).code, 4);
-  EXPECT_TRUE(contains(file("reproduce/report-E5.html"), "Von Mises stress of the fibres")) << "Fig 13";
   EXPECT_EQ(run("reproduce A --set ecm.radius=1 -o elsewhere").code, 3);
   EXPECT_FALSE(exists("elsewhere"));
 }

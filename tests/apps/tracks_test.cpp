@@ -140,6 +140,12 @@ TEST_F(TracksVerb, DrawsGroupsBesideARun) {
     EXPECT_TRUE(!exists("other.html"));
   };
   refused("files/trackmate.csv files/trackmate.csv --beside model", 3, "has the same positions as files/trackmate.csv");
+  refused("files/trackmate.csv --beside model --json", 2, "--json prints the read-outs of one file");
+  EXPECT_EQ(run("tracks files/trackmate.csv --beside model -o files/trackmate.csv --force").code, 5)
+      << "measured data stay";
+  write("model/run.json", R"({"status":"failed"})");
+  refused("files/trackmate.csv --beside model", 3, "its run is failed, not done");
+  write("model/run.json", R"({"status":"done"})");
   refused("files/trackmate.csv --beside files", 5, "files: is the folder of neither a run");
   refused("files/trackmate.csv files/celltrackscolab.csv", 2, "several files are for --beside");
   refused("files/trackmate.csv --beside model --error '-1 um'", 2, "--error: -1 um is no localisation error");

@@ -1,4 +1,4 @@
-/** What stands on axes, in legends and in captions: words of the program's tables, the paper's symbol and the unit. Python's `_words.py` says the same. */
+/** What stands on axes, in legends and in captions: words of the program's tables, the paper's symbol and the unit. Python's `draw/words.py` says the same. */
 import { pretty } from "./numbers";
 
 interface Named {

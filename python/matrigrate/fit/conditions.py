@@ -68,8 +68,9 @@ def runs_of(study: Source | Mapping[str, Source], conditions: Sequence[str], giv
     shared = set.intersection(*named.values())
     if odd := [f"{name}: varies {', '.join(sorted(own - shared))}, which other conditions do not" for name, own in named.items() if own != shared]:
         raise ConfigurationError("\n".join(odd))
-    design = require_pandas().concat([runs.design for runs in found.values()], ignore_index=True)
-    return {name: replace(runs, design=design) for name, runs in found.items()}
+    order = list(next(iter(found.values())).parameters)  # studies may name them in another one
+    design = require_pandas().concat([runs.design for runs in found.values()], ignore_index=True)[order]
+    return {name: replace(runs, parameters=order, design=design) for name, runs in found.items()}
 
 
 def _of_waves(source: Source, conditions: Sequence[str], given: Sequence[str]) -> dict[str, Runs]:
@@ -89,7 +90,7 @@ def _together(waves: list[Runs]) -> Runs:
         raise ConfigurationError("\n".join(lacking))
     table = require_pandas().concat([wave.table.assign(point=[f"{k}: {point}" for point in wave.table["point"]]) for k, wave in enumerate(waves, 1)],
                              ignore_index=True)
-    table = table.drop_duplicates(["run"] if "run" in table else [name for name in table if name != "point"], ignore_index=True)
+    table = table.drop_duplicates(["run"] if all(wave.studies for wave in waves) else [name for name in table if name != "point"], ignore_index=True)
     return replace(first, table=table, studies={run: study for wave in waves for run, study in wave.studies.items()})
 
 

@@ -45,7 +45,7 @@ def write_points(file: Path, points: pandas.DataFrame, like: Study | str | os.Pa
         raise InputOutputError(f"{file}: {error.strerror}", file) from None
     try:
         program.check(file)
-    except ConfigurationError:
+    except BaseException:
         file.unlink()
         raise
 

@@ -1,6 +1,6 @@
 """The sections of a scenario as classes, with an attribute for each parameter of the schema.
 
-Their types are in _sections.pyi, which tools/stubs.py makes from the same schema.
+Their types are in sections.pyi, which tools/stubs.py makes from the same schema.
 """
 from __future__ import annotations
 

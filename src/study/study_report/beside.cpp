@@ -7,6 +7,7 @@
 #include "statistics/compare.hpp"
 #include "study_runs/study_folder.hpp"
 #include "tables/cell_tracks.hpp"
+#include "tables/state_json.hpp"
 #include "tracks/readouts.hpp"
 
 #include <fmt/format.h>
@@ -75,13 +76,10 @@ void add_cells(const std::filesystem::path& run_folder, const std::string& name,
 /// As the microscope sees them.
 tracks::Tracks seen(const tracks::Tracks& all, const Microscope& microscope, const std::string& folder) {
   tracks::Tracks cells = tracks::at_interval(all, microscope.interval, folder);
-  const auto last = static_cast<std::size_t>(std::round(microscope.duration / cells.interval));
+  const std::size_t last = cut(cells, microscope.duration);
   std::uint32_t number = 0;
   for (tracks::Track& track : cells.tracks) {
-    const auto kept = static_cast<std::size_t>(std::ranges::upper_bound(track.k, last) - track.k.begin());
-    for (auto* const column : {&track.x, &track.y}) column->resize(kept);
-    track.k.resize(kept);
-    for (std::size_t i = 0; microscope.error > 0.0 && i < kept; ++i) {
+    for (std::size_t i = 0; microscope.error > 0.0 && i < track.k.size(); ++i) {
       const auto [dx, dy] = normal_pair(number, track.k[i]);
       track.x[i] += microscope.error * dx;
       track.y[i] += microscope.error * dy;
@@ -227,19 +225,42 @@ std::string summary(const std::vector<CellGroup>& groups, const std::vector<std:
 Json facts_json(const Microscope& microscope) {
   return {
       {{"name", "interval"}, {"value", fmt::format("{:g} s", microscope.interval)}},
-      {{"name", "duration of simulated paths"},
+      {{"name", "duration of paths"},
        {"value", fmt::format("at most {:g} min, which half of the measured tracks reach", microscope.duration / 60.0)}},
       {{"name", "localisation error"},
        {"value", fmt::format("{:g} um, added to simulated coordinates", microscope.error)}}};
 }
 
+/// How many runs are not done, and what those at the rim mean; empty if all are done.
+std::string notes_of_lost(const Study& study, const std::vector<Result>& all) {
+  const auto lost = std::ranges::count_if(all, [](const Result& r) { return !r.standing.done(); });
+  if (lost == 0) return {};
+  const std::string rim = rim_text(study, all);
+  return fmt::format("{} of {} runs are not done, and left out{}{}", lost, all.size(), rim.empty() ? "" : "; ", rim);
+}
+
 } // namespace
+
+std::size_t cut(tracks::Tracks& cells, double duration) {
+  const auto last = static_cast<std::size_t>(std::round(duration / cells.interval));
+  for (tracks::Track& track : cells.tracks) {
+    const auto kept = static_cast<std::size_t>(std::ranges::upper_bound(track.k, last) - track.k.begin());
+    for (auto* const column : {&track.x, &track.y}) column->resize(kept);
+    track.k.resize(kept);
+  }
+  return last;
+}
 
 std::vector<CellGroup> simulated_cells(const std::filesystem::path& folder, const Microscope& microscope) {
   std::vector<CellGroup> groups;
+  std::string notes;
   const std::string name = folder.lexically_normal().string();
   if (!std::filesystem::exists(folder / "study.resolved.toml")) {
     CellGroup& group = groups.emplace_back(CellGroup{.label = "model", .tracks = {}});
+    if (const std::string status =
+            store::read_json_object(folder / "run.json", std::size_t{1} << 24).value("status", "");
+        status != "done")
+      refuse(name, fmt::format("its run is {}, not done", status.empty() ? "without a status" : status));
     add_cells(folder, "run", group.tracks);
   } else {
     const StudyFolder study = open_study(folder);
@@ -248,13 +269,16 @@ std::vector<CellGroup> simulated_cells(const std::filesystem::path& folder, cons
                                study.study.points.size(), most_points));
     for (const Point& point : study.study.points)
       groups.push_back({.label = study.study.points.size() == 1 ? "model" : "model, " + point.label, .tracks = {}});
-    for (const Result& r : results(study.study, study.runs, folder))
+    const std::vector<Result> all = results(study.study, study.runs, folder);
+    notes = notes_of_lost(study.study, all);
+    for (const Result& r : all)
       if (r.standing.done())
         add_cells(run_folder(folder, r.run), fmt::format("seed {}", r.run.seed), groups[r.run.point].tracks);
   }
   std::erase_if(groups, [](const CellGroup& group) { return group.tracks.tracks.empty(); });
   for (CellGroup& group : groups) group.tracks = seen(group.tracks, microscope, name + ": output.track_interval");
   std::erase_if(groups, [](const CellGroup& group) { return group.tracks.tracks.empty(); });
+  if (!groups.empty() && !notes.empty()) groups.front().tracks.notes.push_back(notes);
   if (groups.empty()) refuse(name, "has no run that is done and lasts three positions of the measured tracks");
   return groups;
 }

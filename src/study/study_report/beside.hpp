@@ -30,6 +30,9 @@ struct Microscope {
 ///         study has more points than a page can show
 std::vector<CellGroup> simulated_cells(const std::filesystem::path& folder, const Microscope& microscope);
 
+/// Leaves of longer tracks what comes within the duration [s]. @return intervals in it
+std::size_t cut(tracks::Tracks& cells, double duration);
+
 /// Half of the tracks last longer [s].
 double usual_duration(const std::vector<CellGroup>& groups);
 

@@ -42,6 +42,7 @@ protected:
 /// A run whose cell goes 1 um a minute along x for ten minutes, and ends between two rows.
 void write_run(const std::filesystem::path& folder) {
   std::filesystem::create_directories(folder);
+  write_file(folder / "run.json", R"({"status":"done"})");
   std::string csv = "track,t_s,x_um,y_um\n";
   for (int k = 0; k <= 10; ++k) csv += "1," + std::to_string(60 * k) + "," + std::to_string(k) + ",0\n";
   write_file(folder / "tracks.csv", csv + "1,630,10.5,0\n");
@@ -58,6 +59,10 @@ TEST_F(Beside, SimulatedCellsAreSeenAtTheIntervalAndForTheDurationOfTheMeasuredO
   const auto longer = simulated_cells(folder / "run", {.interval = 60.0, .duration = 1200.0, .error = 0.0});
   EXPECT_EQ(longer.front().tracks.tracks.at(0).x.size(), 11U) << "the last row comes half an interval late";
   EXPECT_EQ(longer.front().tracks.notes.at(0), "1 of 1 simulated paths are shorter than 20 min");
+  write_file(folder / "run/run.json", R"({"status":"failed"})");
+  EXPECT_THROW(simulated_cells(folder / "run", {.interval = 60.0, .duration = 480.0, .error = 0.0}),
+               ConfigurationError);
+  write_file(folder / "run/run.json", R"({"status":"done"})");
   EXPECT_THROW(simulated_cells(folder / "run", {.interval = 90.0, .duration = 480.0, .error = 0.0}),
                ConfigurationError);
 }
@@ -67,6 +72,7 @@ TEST_F(Beside, TheErrorOfTheMicroscopeIsAddedToSimulatedCoordinatesOnly) {
   for (int k = 0; k <= 4000; ++k) csv += "1," + std::to_string(60 * k) + ",0,0\n";
   std::filesystem::create_directories(folder / "run");
   write_file(folder / "run/tracks.csv", csv);
+  write_file(folder / "run/run.json", R"({"status":"done"})");
   const auto cells = simulated_cells(folder / "run", {.interval = 60.0, .duration = 1e9, .error = 0.5});
   const tracks::Track& track = cells.front().tracks.tracks.at(0);
   double xx = 0.0, yy = 0.0, xy = 0.0;
@@ -99,6 +105,9 @@ TEST_F(Beside, ThePageHasMediansTestsAndCurvesOfTheGroups) {
   const std::vector<CellGroup> groups{straight("control", {1.0, 2.0, 3.0, 4.0, 5.0}),
                                       straight("model", {11.0, 12.0, 13.0, 14.0, 15.0})};
   EXPECT_EQ(usual_duration(groups), 600.0);
+  tracks::Tracks shorter = groups[0].tracks;
+  EXPECT_EQ(cut(shorter, 240.0), 4U);
+  EXPECT_EQ(shorter.tracks[1].x, (std::vector<double>{0.0, 2.0, 4.0, 6.0, 8.0}));
   const auto page = beside_data(groups, {.interval = 60.0, .duration = 600.0, .error = 0.0});
   EXPECT_EQ(page.at("axes").at(0).at("values").dump(), R"(["control","model"])");
   EXPECT_EQ(page.at("runs").size(), 10U);

@@ -80,7 +80,7 @@ export function results(save: (name: string, content: string) => void, present: 
   return { element: h("details", { class: "results" }, h("summary", {}, "Results of the runs"), holder, buttons), add };
 }
 
-// How far the cells have come: what every question of the lesson asks for. Test: tests/travelled.test.ts
+// How far the cells have come: what every question of the lesson asks for. Test: tests/parts.test.ts
 
 export interface Travelled {
   /** From the start in a straight line, and along the path [um]. */
