@@ -20,7 +20,8 @@ __all__ = ["Emulators", "Fit", "emulate", "fit"]
 
 
 def _gone(*_: Any, **__: Any) -> Any:
-    raise ConfigurationError("match, Match, Outcome, Wave and read_outcomes have gone: calibrate.fit takes numbers and ranges by condition, as in "
+    raise ConfigurationError("match, Match, Outcome, Wave and read_outcomes have gone: "
+                             "calibrate.fit takes numbers and ranges by condition, as in "
                              "fit(study, {\"50 Pa\": {\"l_prot_um\": (13.1, 0.4)}}, held_back=[...]), and its next(n) gives the next wave")
 
 

@@ -2,6 +2,7 @@
 import math
 import tomllib
 import unittest
+import unittest.mock
 
 import common
 
@@ -225,6 +226,18 @@ class Refused(unittest.TestCase):
                             ((True, 1), "is no mean with"), (((1, "2"), 1), "is no mean with"), ((5, 0), "has no standard error above 0"),
                             ((1e200, 1), "is the unit right?"), (((math.nan, 1), 1), "has no value"), (((1, 2, 3), 1), "is no mean with")):
             self.refused(["speed: ", said], {"soft": {"speed": wrong}})
+
+    def test_studies_by_condition_may_name_their_parameters_in_another_order(self):
+        from matrigrate.fit import conditions
+
+        def runs(order):
+            frame = pandas.DataFrame({"a": [1.0, 2.0], "b": [3.0, 4.0]})[order]
+            return {"": conditions.Runs(frame.assign(point=["1", "2"]), list(order), frame, {})}
+
+        with unittest.mock.patch.object(conditions, "_of_waves", side_effect=[runs(["a", "b"]), runs(["b", "a"])]):
+            found = conditions.runs_of({"soft": None, "stiff": None}, ["soft", "stiff"], [])
+        self.assertEqual([one.parameters for one in found.values()], [["a", "b"]] * 2)
+        self.assertEqual([list(one.design) for one in found.values()], [["a", "b"]] * 2)
 
     def test_what_has_gone_names_what_replaces_it(self):
         for name in ("match", "Outcome", "read_outcomes"):

@@ -17,7 +17,7 @@ budget = {
     "src/validation": 2831,
     "src/study": 8253,
     "apps": 5622,
-    "python": 6949,
+    "python": 6950,
     "R": 751,
     "web": 1243,
     "viewer/src": 10597,

@@ -31,7 +31,7 @@ struct StudyReport {
   std::vector<JudgedClaim> claims{}; ///< about this study: its own, and the paper's
   std::string claims_note{};         ///< what to know of them
   std::vector<PlayedRun> played{};
-  std::string command{}; ///< that computes the study again
+  std::string command{};                   ///< that computes the study again
   std::vector<tracks::CellTrack> tracks{}; ///< measured, to be drawn at all points besides those of the targets
 };
 
