@@ -222,7 +222,7 @@ void draw_fields(const Parameters& p, const std::string& folder) {
 }
 
 int explain(const ExplainArguments& options) {
-  const Parameters p = read_parameters(options.file, options.overrides, law_rules());
+  const Parameters p = read_parameters(options.file, options.overrides, formula_rules());
   if (!options.pictures.empty()) {
     draw_fields(p, options.pictures);
     return done;

@@ -49,8 +49,8 @@ std::string verdict_line(const ValidateArguments& options, const std::vector<Out
 int validate(ValidateArguments options) {
   const auto chosen = chosen_cases(options.name);
   const Parameters p = options.scenario.empty()
-                           ? apply_overrides(validation::default_parameters(), options.overrides, law_rules())
-                           : read_parameters(options.scenario, options.overrides, law_rules());
+                           ? apply_overrides(validation::default_parameters(), options.overrides, formula_rules())
+                           : read_parameters(options.scenario, options.overrides, formula_rules());
   for (const auto* one : chosen)
     if (one->name == "disassembly" && is_changed(*find_row("laws.disassembly_rate"), p))
       throw ConfigurationError(

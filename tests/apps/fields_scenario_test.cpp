@@ -105,6 +105,15 @@ TEST_F(FieldsOfScenarios, AnObstacleBetweenParticlesIsToldOf) {
   EXPECT_TRUE(contains(explained("9"), "E by a field"));
 }
 
+TEST_F(FieldsOfScenarios, AComparisonOfThreeValuesIsRefusedByAllVerbs) {
+  write("chained.toml", "[ecm]\nradius = \"60 um\"\n[ecm.fields]\nf_degr = \"-5 < y < 5 ? 0 : 1\"\n");
+  for (const char* verb : {"check", "explain", "run", "validate patch --scenario"}) {
+    const Ended ended = run(std::string(verb) + " chained.toml");
+    EXPECT_EQ(ended.code, 3) << verb;
+    EXPECT_TRUE(contains(ended.err, "compare twice: -5 < y && y < 5")) << verb << ended.err;
+  }
+}
+
 TEST_F(FieldsOfScenarios, PresetsRun) {
   for (const char* preset : {"stiffness-gradient", "stiffness-step", "channel", "microtrack", "curved-fibres"}) {
     const std::string name(preset);

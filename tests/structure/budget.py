@@ -12,7 +12,7 @@ budget = {
     "src/statistics": 729,
     "src/tracks": 4027,
     "src/parameters": 5253,
-    "src/model": 10882,
+    "src/model": 10889,
     "src/run": 10546,
     "src/validation": 2831,
     "src/study": 8253,

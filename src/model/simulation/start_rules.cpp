@@ -86,8 +86,15 @@ std::vector<Rule> with_fields_and_laws(std::vector<Rule> on_lattice) {
 
 } // namespace
 
-std::span<const Rule> law_rules() {
-  static const std::vector<Rule> all = of_laws();
+std::span<const Rule> formula_rules() {
+  static const std::vector<Rule> all = [] {
+    std::vector<Rule> rules = of_laws();
+    for (const Row& row : schema())
+      if (kind(row) == Kind::field)
+        rules.push_back(
+            {values_rule(row), {row.path}, [&row](const Parameters& p) { return fault_of_chained_field(p, row); }});
+    return rules;
+  }();
   return all;
 }
 

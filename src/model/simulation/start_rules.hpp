@@ -13,7 +13,7 @@ namespace matrigrate {
 /// Each check needs about 10 ms.
 std::span<const Rule> start_rules();
 
-/// Those of them on the values of laws, without which a changed law may not be evaluated.
-std::span<const Rule> law_rules();
+/// Those of them on formulas, without which none may be evaluated: the values of laws, the comparisons of fields.
+std::span<const Rule> formula_rules();
 
 } // namespace matrigrate
