@@ -215,7 +215,7 @@ await enter("exp(-kapa^2)");
 await page.waitForSelector(".fault");
 assert.match(await page.locator(".fault").first().textContent(), /kapa.*kappa/s);
 assert.deepEqual([await law.inputValue(), await law.getAttribute("aria-invalid")], ["exp(-kapa^2)", "true"]);
-for (const formula of ["exp(-kappa^2)", ""]) {
+for (const formula of ["exp(-(kappa/kappa_w)^2)", ""]) {
   const changes = (await state(page)).scenario.changes.length;
   await enter(formula);
   await until(page, (s) => s.scenario.changes.length > changes, "a law that acts");
