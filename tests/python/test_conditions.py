@@ -308,6 +308,10 @@ protrusion.force = ["0.2 nN", "0.6 nN"]
         of_targets = calibrate.fit(first)
         self.assertEqual(list(of_targets.readouts.index), [f"{name} at stiff"])
         self.assertEqual(list(of_targets.readouts.loc[f"{name} at stiff", ["measured", "standard_error"]]), [20, 4])
+        of_waves = calibrate.fit([first.folder, second])
+        self.assertEqual(list(of_waves.readouts.index), [f"{name} at stiff"])
+        of_waves.next(1, "wave-4.toml")
+        self.assertTrue((self.folder / "wave-4.toml").is_file(), "it is like the first wave")
 
     def test_files_beside_a_study_are_named_from_the_new_place(self):
         from matrigrate.fit.study_file import write_points

@@ -147,12 +147,19 @@ def document_of(study: Study) -> dict[str, Any]:
     return tomllib.loads(read_text(study.folder / "study.resolved.toml"))
 
 
+def first_study(source: Any) -> Study | None:
+    """The study, or that of the first wave; None of data frames and of studies by condition."""
+    one = next(iter(source), None) if isinstance(source, (list, tuple)) else source
+    return load_study(one) if isinstance(one, (str, os.PathLike)) else one if isinstance(one, Study) else None
+
+
 def targets_of(study: Any) -> dict[str, Any]:
-    """What ``[[targets]]`` of a study say, as ``fit`` takes it: by condition if it has any.
+    """What ``[[targets]]`` of a study, or of its first wave, say, as ``fit`` takes it: by condition if it has any.
 
     :raises ConfigurationError: if there are none, or some of tracks
     """
-    document = document_of(study) if isinstance(study, Study) else {}
+    first = first_study(study)
+    document = {} if first is None else document_of(first)
     labels, found = [one["label"] for one in document.get("conditions", [])], dict[str, dict[str, Any]]()
     for target in document.get("targets", []):
         if "tracks" in target:

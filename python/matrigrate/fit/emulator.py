@@ -62,7 +62,6 @@ class Emulator:
         :param linear: whether the process has a linear part beside the smooth one: better of many parameters and few points
         """
         self._centre, self._scale = float(values.mean()), float(values.std())
-        self.parameters = int(cube.shape[1])
         y = (values - self._centre) / self._scale
         self._process = Process(cube, y, runs, seed, linear)
         left_out, errors, plain = _left_out(self._process, cube, y, runs, seed, linear)

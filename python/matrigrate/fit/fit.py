@@ -15,7 +15,7 @@ from ..draw import words
 from ..errors import ConfigurationError
 from ..results.studies import Study
 from . import emulator as _emulator
-from .conditions import Source, by_condition, require_study, runs_of, targets_of
+from .conditions import by_condition, first_study, require_study, runs_of, Source, targets_of
 from .emulator import Array, Emulator, Prior
 from .measurement import Means, Measurement, Points, measurement, simulated, size_faults
 from .posterior import Fit, Part, joint, predictions, said
@@ -133,8 +133,7 @@ def fit(study: Source | Mapping[str, Source], measured: Any = None, readouts: Se
     parts = of({name: [one for one in points[name].values if one not in kept[name]] for name in given})
     made = joint(parts, of(kept), seed)
     folders = list(dict.fromkeys(str(one.folder) for part in runs.values() for one in part.studies.values()))
-    first = study[0] if isinstance(study, (list, tuple)) else study
-    return replace(made, source={**made.source, "study": ", ".join(folders)}, _like=first if isinstance(first, Study) else None)
+    return replace(made, source={**made.source, "study": ", ".join(folders)}, _like=first_study(study))
 
 
 def _each(conditions: Iterable[str], made: Callable[[str], _Made]) -> dict[str, _Made]:

@@ -23,9 +23,7 @@ if TYPE_CHECKING:
 _means = ("speed_um_per_h", "v_migr_abs_um_per_h", "straightness", "directionality_ratio", "turning_angle_deg",
           "turning_cosine")  # of tracks: their expectation does not depend on the number of tracks
 
-
 _least_widths, _most_widths = 1e-9, 1e6  # of the range of simulated values, for measured values and their errors
-_largest = 1e100  # its square is a number
 
 
 @dataclass(frozen=True)

@@ -5,9 +5,8 @@
 #include <span>
 
 /// Conditions on the parameters, besides rules(), for a run to start: a stable time step, allowed values of each field
-/// and law,
-/// obstacles clear of the cells, and fibres that match bonds of the lattice. Test:
-/// tests/unit/simulation/start_rules_test.cpp
+/// and law, obstacles clear of the cells, and fibres that match bonds of the lattice.
+/// Test: tests/unit/simulation/start_rules_test.cpp
 namespace matrigrate {
 
 /// Each check needs about 10 ms.

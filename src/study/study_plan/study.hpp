@@ -84,10 +84,6 @@ struct Study {
   std::vector<Claim> claims;
 
   std::size_t runs() const { return points.size() * replicates; }
-  /// Points of a factor set: one without conditions.
-  std::size_t points_of_set() const { return conditions.empty() ? 1 : conditions.size(); }
-  /// Index of a factor set under a condition.
-  std::size_t point_at(std::size_t set, std::size_t condition) const { return set * points_of_set() + condition; }
 };
 
 /// The paper's read-outs, which a study compares if it names none.
