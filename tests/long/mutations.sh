@@ -28,9 +28,9 @@ src/model/ecm/degradation.cpp|f - rate * dt|f * (1.0 - rate * dt)|ecm|degradatio
 src/model/sph/kernel.hpp|(2.0 * q + 1.0)|(2.0 * q + 1.01)|sph|kernel
 src/model/cell/actomyosin.cpp|std::min(f_mat_i, f_mat_j)|std::max(f_mat_i, f_mat_j)|cell|actomyosin, Eq. 6
 src/model/cell/area.cpp|std::max(0.0, initial_area(p) - area(c))|initial_area(p) - area(c)|cell|area
-src/parameters/laws/schema_laws.cpp|-zeta_diss*F/f_mat|-zeta_diss*F*f_mat|protrusion|disassembly, Eq. 7
+src/parameters/parameters.hpp|-zeta_diss*F/f_mat|-zeta_diss*F*f_mat|protrusion|disassembly, Eq. 7
 src/model/protrusion/maturation.cpp|(steps + p.adhesion.step_threshold)|steps|protrusion|force of a step of maturation
-src/parameters/laws/schema_laws.cpp|? 1/A : 1|? 2 - A : 1|protrusion|area limit, Eq. 10
+src/parameters/parameters.hpp|? 1/A : 1|? 2 - A : 1|protrusion|area limit, Eq. 10
 '
 files='
 src/run/store/trajectory_hash.cpp|update(state.get(), cell.nucleus.x)|update(state.get(), cell.cortex.x)|store|the hash of a trajectory does not see nuclei
