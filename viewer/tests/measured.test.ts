@@ -4,7 +4,7 @@ import { after, before, test } from "node:test";
 import type { Browser, Page } from "playwright-core";
 import { sampleRun } from "../sample/run";
 import { sampleStudy } from "../sample/study";
-import { cellColours } from "../src/colour";
+import { cellColours, gelOnDark, gelOnLight, viridis } from "../src/colour";
 import type { MeasuredTracks } from "../src/contract";
 import { measuredOf, until as upTo } from "../src/measured";
 import { measuredLine } from "../src/run/over/marks";
@@ -42,13 +42,16 @@ function contrast(one: string, other: string): number {
   return (high + 0.05) / (low + 0.05);
 }
 
+const hex = (rgb: readonly number[]) => `#${rgb.map((part) => part.toString(16).padStart(2, "0")).join("")}`;
+
 test("a track is seen on front and rear of a cell and on any matrix, on light and dark pages", () => {
   const { front, rear } = cellColours(0, 1);
   for (const dark of [false, true]) {
     const [halo, line] = measuredLine(dark);
     assert.ok(halo.width >= line.width + 2 && line.width >= 1.5, "lines that are wide enough");
     assert.ok(contrast(halo.colour, line.colour) > 7, "a line in its halo");
-    for (const ground of [front, rear, "#f8f6f1", "#cbb994", "#1b1b1a", "#8a7a58", "#440154", "#fde725"]) {
+    const maps = [gelOnLight, gelOnDark, [viridis[0]!, viridis.at(-1)!]].flat();
+    for (const ground of [front, rear, ...maps.map(hex)]) {
       const most = Math.max(contrast(halo.colour, ground), contrast(line.colour, ground));
       assert.ok(most > 3, `${ground}, ${dark ? "dark" : "light"}: ${most}`);
     }
