@@ -117,9 +117,10 @@ std::string laws_text(const Parameters& p) {
     text += fmt::format("\n{} = {}\n{}{}; * here, . by default\n", law->path, value_text(*law, p), law->description,
                         law->unit == "1" ? "" : fmt::format(", in {}", law->unit));
     text += "checked, on a grid, over";
-    for (const LawVariable& argument : law->arguments)
-      text += fmt::format("{} {} from {}", &argument == law->arguments.data() ? "" : ",", argument.name,
-                          range_text(argument));
+    const std::vector<LawVariable> variables = law_variables(*law, text_of(*law, p));
+    for (const LawVariable& argument : variables)
+      text +=
+          fmt::format("{} {} from {}", &argument == variables.data() ? "" : ",", argument.name, range_text(argument));
     text += "\n";
     for (LawCurve& curve : law_curves(p, *law, 241)) {
       if (!curve.at.empty()) text += fmt::format("at {}:\n", curve.at);
@@ -138,7 +139,7 @@ std::string laws_text(const Parameters& p) {
 Json ranges_json(const Parameters& p) {
   Json all = Json::object();
   for (const Row* law : changed_laws(p))
-    for (const LawVariable& argument : law->arguments)
+    for (const LawVariable& argument : law_variables(*law, text_of(*law, p)))
       all[std::string(law->path)][std::string(argument.name)] = {
           {"low", argument.low}, {"high", argument.high}, {"unit", argument.unit}};
   return all;

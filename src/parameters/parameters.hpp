@@ -209,14 +209,18 @@ struct CueParameters {
 struct LawParameters {
   std::string fibre_stiffness = "eps < 0 ? 0 : eps <= eps_s ? 1 : exp((eps - eps_s)/d_s)"; ///< over k_0, Eq. 5 [-]
   std::string curvature_factor = "exp(-((kappa - kappa_0)/kappa_w)^2)";                    ///< f_curv of Eq. 6 [-]
-  std::string disassembly_rate = "r_off_min + r_off_0*exp(-zeta_diss*F/f_mat)";            ///< r_off, Eq. 7 [1/s]
-  std::string growth_force = "n_prot > 0 && A > 1 ? 1/A : 1";                              ///< over F_prot, Eq. 10 [-]
-  std::string initiation_rate = "r_prot";                                                  ///< of a particle [1/s]
-  std::string initiation_bias = "1";                                                       ///< over its mean [-]
-  std::string polarization_rate = "r_pol";                                                 ///< [1/s]
-  std::string degradation_tip = "r_degr_tip";                                              ///< [1/s]
-  std::string degradation_protrusion = "p > p_th_degr ? r_degr_prot : 0";                  ///< [1/s]
-  std::string degradation_body = "p > p_th_degr ? r_degr_body : 0";                        ///< [1/s]
+  std::string contraction = "f_mat*f_curv*F_am";                                           ///< of a segment, Eq. 6 [nN]
+  std::string maturation_force = "0.1*sum(steps, s_mat)*(m_mat*F_am)";          ///< that completes a step [nN]
+  std::string maturation = "min(1, 0.1*steps)";                                 ///< f_mat after so many steps [-]
+  std::string adhesion_stiffness = "k_ad";                                      ///< [nN/um]
+  std::string disassembly_rate = "r_off_min + r_off_0*exp(-zeta_diss*F/f_mat)"; ///< r_off, Eq. 7 [1/s]
+  std::string growth_force = "n_prot > 0 && A > 1 ? 1/A : 1";                   ///< over F_prot, Eq. 10 [-]
+  std::string initiation_rate = "r_prot";                                       ///< of a particle [1/s]
+  std::string initiation_bias = "1";                                            ///< over its mean [-]
+  std::string polarization_rate = "r_pol";                                      ///< [1/s]
+  std::string degradation_tip = "r_degr_tip";                                   ///< [1/s]
+  std::string degradation_protrusion = "p > p_th_degr ? r_degr_prot : 0";       ///< [1/s]
+  std::string degradation_body = "p > p_th_degr ? r_degr_body : 0";             ///< [1/s]
   std::string constants; ///< names of the user's own: "F_c = 0.1 nN, n = 2"
 };
 

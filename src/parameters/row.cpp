@@ -116,6 +116,8 @@ std::string description_of(const Row& row) {
   for (const LawVariable& argument : row.arguments)
     text += fmt::format("{}{}: {}, {}", &argument == row.arguments.data() ? ". Arguments: " : "; ", argument.name,
                         argument.meaning, range_text(argument));
+  for (const LawVariable& argument : row.shared)
+    text += fmt::format("{}{}", &argument == row.shared.data() ? ". Besides: " : ", ", argument.name);
   return text;
 }
 

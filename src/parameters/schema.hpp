@@ -70,6 +70,7 @@ struct Row {
   std::optional<std::string_view> before = {};
   bool (*of_part)(const Parameters&) = nullptr; ///< whether the part of the model is there that it belongs to
   std::span<const LawVariable> arguments = {};  ///< of a law, in the order in which it takes them
+  std::span<const LawVariable> shared = {};     ///< those that it may use besides, a beginning of shared_arguments()
 };
 
 /// A section of the scenario file.
@@ -94,6 +95,9 @@ std::span<const Row> part_rows();
 
 /// The part of schema() that is the section [laws]; the last one is laws.constants.
 std::span<const Row> law_rows();
+
+/// What the laws of a cell may use besides their own arguments: place, time, matrix around, protrusion.
+std::span<const LawVariable> shared_arguments();
 
 /// What [[cells]] is about, in a sentence.
 inline constexpr std::string_view cells_title =

@@ -61,6 +61,7 @@ Followed follow_one(const Parameters& p, store::Table& table) {
   Parameters q = p;
   q.run.integrator = Integrator::adaptive;
   q.run.time_step = usual_time_step(q.run.integrator);
+  const Laws laws(q);
   SingleProtrusion one(q, 0.0);
   one.march_for(q.protrusion.growth_time + q.run.time_step);
   const Vec2 start = centroid(one.cell().cortex);
@@ -72,7 +73,7 @@ Followed follow_one(const Parameters& p, store::Table& table) {
   const double full = mature_pull(found.f_mat, q);
   for (double t = 0.0; t < follow_time; t += interval) {
     one.march_for(interval);
-    const double F = adhesion_force(one.cell().cortex, one.protrusion(), q.adhesion);
+    const double F = adhesion_force(one.cell().cortex, one.protrusion(), q.adhesion, laws);
     const double before = found.moved;
     found.moved = (centroid(one.cell().cortex) - start).norm();
     if (t < judged) {

@@ -31,13 +31,15 @@ Parameters with_second_closures(const Parameters& p) {
 /// Grows and matures one protrusion.
 /// @param see  time since the adhesion [s], its force [nN] and the f_mat so far   @return its f_mat
 double mature(const Parameters& p, const std::function<void(double, double, double)>& see) {
+  const Laws laws(p);
   SingleProtrusion one(p, 0.0);
   one.march_for(p.protrusion.growth_time + 2.0 * p.run.time_step);
   const double begin = one.protrusion().record.t_adhesion;
   one.march_for(longest_maturation(p), [&](const State& s) {
     const auto* maturing = std::get_if<Maturing>(&one.protrusion().phase);
     if (maturing == nullptr || s.step % 25 != 0) return true;
-    see(s.t - begin, adhesion_force(one.cell().cortex, one.protrusion(), p.adhesion), maturing_f_mat(maturing->steps));
+    see(s.t - begin, adhesion_force(one.cell().cortex, one.protrusion(), p.adhesion, laws),
+        maturing_f_mat(maturing->steps, laws));
     return true;
   });
   return one.protrusion().record.f_mat;
@@ -63,7 +65,7 @@ Result maturation(const Parameters& p) {
     }));
     plot.series.push_back(std::move(force));
     result.checks.push_back({fmt::format("f_mat at {:.0f} Pa with the second set of closures", row.E),
-                             mature(with_second_closures(q), [](double, double, double) {}), row.f_mat, maturation_step,
+                             mature(with_second_closures(q), [](double, double, double) {}), row.f_mat, 0.1,
                              "one step of maturation; by an independent program"});
   }
   for (std::size_t k = 1; k < f_mat.size(); ++k)

@@ -26,10 +26,10 @@ src/model/ecm/law/viscosity.hpp|t_z * V * V * 2.0 * mu|t_z * V * V * mu|ecm|pair
 src/model/ecm/law/fibres.hpp|std::exp((strain - p.onset)|std::exp((strain)|ecm|stiffening of fibres, Eq. 5
 src/model/ecm/degradation.cpp|f - rate * dt|f * (1.0 - rate * dt)|ecm|degradation
 src/model/sph/kernel.hpp|(2.0 * q + 1.0)|(2.0 * q + 1.01)|sph|kernel
-src/model/cell/actomyosin.cpp|std::min(f_mat_i, f_mat_j)|std::max(f_mat_i, f_mat_j)|cell|actomyosin, Eq. 6
+src/model/cell/actomyosin.cpp|std::min(f_mat[i], f_mat[j])|std::max(f_mat[i], f_mat[j])|cell|actomyosin, Eq. 6
 src/model/cell/area.cpp|std::max(0.0, initial_area(p) - area(c))|initial_area(p) - area(c)|cell|area
 src/parameters/parameters.hpp|-zeta_diss*F/f_mat|-zeta_diss*F*f_mat|protrusion|disassembly, Eq. 7
-src/model/protrusion/maturation.cpp|(steps + p.adhesion.step_threshold)|steps|protrusion|force of a step of maturation
+src/parameters/parameters.hpp|sum(steps, s_mat)|steps|protrusion|force of a step of maturation
 src/parameters/parameters.hpp|? 1/A : 1|? 2 - A : 1|protrusion|area limit, Eq. 10
 '
 files='

@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
 #include <string>
 #include <vector>
@@ -78,7 +79,10 @@ TEST(Laws, GiveTheSameBitsForAnyNumberOfThreadsAndAfterAnyBreak) {
       under({"laws.fibre_stiffness=eps < 0 ? 0.1*exp(eps/0.02) : 1 + 20*eps",
              "laws.curvature_factor=max(0, 1 - abs(kappa - kappa_0)/kappa_w)",
              "laws.disassembly_rate=0.02*exp(-F/0.1) + 0.001*exp(F/0.3)", "laws.initiation_bias=exp(-5*max(0, kappa))",
-             "laws.growth_force=max(0, 1 - l/15)", "laws.degradation_body=r_degr_body*f"});
+             "laws.growth_force=max(0, 1 - l/15 - max(0, speed)/0.5)", "laws.degradation_body=r_degr_body*f*f_degr",
+             "laws.contraction=f_mat*f_curv*F_am*max(0, 1 - max(0, speed)/0.2)*exp(-t_mat/600)*density",
+             "laws.maturation_force=0.05*F_am*(steps + 1)*(1 + stiffness/E)", "laws.maturation=min(1, 0.2*steps)",
+             "laws.adhesion_stiffness=k_ad*(1 + stretch)*(1 + pressure/1000)"});
   const State whole = migrated_under(p, 100);
   {
     const ThreadLimit limit(4);
@@ -125,6 +129,51 @@ TEST(Laws, OfContraction) {
   const auto outline = [](const State& s) { return area(s.cells[0].cortex); };
   const double plain = outline(migrated_under(under({"laws.initiation_rate=0"}), 60));
   EXPECT_GT(outline(migrated_under(under({"laws.initiation_rate=0", "laws.curvature_factor=0"}), 60)), plain + 0.1);
+}
+
+TEST(Laws, OfMaturation) {
+  const auto f_mat = [](const State& s) {
+    double most = 0.0;
+    for (const ProtrusionRecord& r : s.cells[0].ended) most = std::max(most, std::isnan(r.f_mat) ? 0.0 : r.f_mat);
+    return most;
+  };
+  const auto with = [&](const std::string& law) {
+    return f_mat(migrated_under(under({"laws.disassembly_rate=1", law}), 200));
+  };
+  const double plain = with("laws.maturation=min(1, 0.1*steps)");
+  ASSERT_GT(plain, 0.05);
+  EXPECT_DOUBLE_EQ(with("laws.maturation=min(1, 0.2*steps)"), 2.0 * plain);
+  EXPECT_EQ(with("laws.maturation_force=100"), 0.05) << "no step is done: that of the body";
+}
+
+TEST(Laws, OfContractionOfAStrand) {
+  const auto outline = [](const State& s) { return area(s.cells[0].cortex); };
+  const double plain = outline(migrated_under(under({"laws.initiation_rate=0"}), 60));
+  EXPECT_GT(outline(migrated_under(under({"laws.initiation_rate=0", "laws.contraction=0"}), 60)), plain + 0.1);
+  EXPECT_LT(outline(migrated_under(under({"laws.initiation_rate=0", "laws.contraction=2*f_mat*f_curv*F_am"}), 60)),
+            plain - 0.1);
+  EXPECT_EQ(outline(migrated_under(
+                under({"laws.initiation_rate=0", "laws.contraction=time < 1e6 ? f_mat*f_curv*F_am : 0"}), 60)),
+            plain)
+      << "the same values are the same bits";
+}
+
+TEST(Laws, OfTheStiffnessOfAdhesions) {
+  const auto most = [](const State& s) {
+    double force = 0.0;
+    for (const ProtrusionRecord& r : s.cells[0].ended) force = std::max(force, std::isnan(r.force) ? 0.0 : r.force);
+    return force;
+  };
+  EXPECT_LT(most(migrated_under(under({"laws.adhesion_stiffness=0.01*k_ad"}), 200)),
+            0.8 * most(migrated_under(under(), 200)));
+}
+
+TEST(Laws, OfTimeAndPlace) {
+  EXPECT_EQ(migrated_under(under({"laws.initiation_rate=time < 1000 ? 0 : r_prot"})).cells[0].initiated, 0U);
+  const State right = migrated_under(under({"laws.initiation_rate=x > 0 ? r_prot : 0"}), 300);
+  ASSERT_GE(right.cells[0].initiated, 1U);
+  for (const Protrusion& protrusion : right.cells[0].protrusions)
+    EXPECT_GT(right.cells[0].cortex.x[protrusion.centre].x(), -3.0);
 }
 
 TEST(Laws, OfDegradation) {

@@ -18,12 +18,13 @@ double f_mat_of_an_element(double dt) {
   constexpr double tau = 20.0;
   Protrusion protrusion{.centre = 0, .since = 0.0, .phase = Maturing{.direction = {1.0, 0.0}}, .record = {}};
   double F = 0.0;
+  const Laws laws(p);
   for (double t = dt;; t += dt) {
     const auto& maturing = std::get<Maturing>(protrusion.phase);
     const double before = F;
-    F += (maturing_f_mat(maturing.steps) * p.actomyosin.force - F) * -std::expm1(-dt / tau);
+    F += (maturing_f_mat(maturing.steps, laws) * p.actomyosin.force - F) * -std::expm1(-dt / tau);
     const Circumstances now{.age = t - protrusion.since, .force = F, .loading = (F - before) / dt, .support = 1.0};
-    const Transition change = transition(protrusion.phase, now, p, dt, Laws(p));
+    const Transition change = transition(protrusion.phase, now, p, dt, laws);
     if (!change.changes) continue;
     if (const auto* contracting = std::get_if<Contracting>(&change.next)) return contracting->f_mat;
     protrusion.phase = change.next;
@@ -45,7 +46,7 @@ double load_after_five_seconds(double dt) {
   cell.protrusions.push_back(
       {.centre = 0, .since = 0.0, .phase = Maturing{.direction = d, .anchor = point, .held = point}, .record = {}});
   simulation.march(5.0);
-  return adhesion_force(simulation.s.cells[0].cortex, simulation.s.cells[0].protrusions.at(0), p.adhesion);
+  return adhesion_force(simulation.s.cells[0].cortex, simulation.s.cells[0].protrusions.at(0), p.adhesion, Laws(p));
 }
 
 } // namespace

@@ -11,19 +11,19 @@ budget = {
     "src/fields": 2858,
     "src/statistics": 729,
     "src/tracks": 4027,
-    "src/parameters": 5253,
-    "src/model": 10888,
-    "src/run": 10546,
-    "src/validation": 2831,
+    "src/parameters": 5423,
+    "src/model": 11143,
+    "src/run": 10548,
+    "src/validation": 2834,
     "src/study": 8249,
-    "apps": 5622,
+    "apps": 5637,
     "python": 6953,
     "R": 751,
-    "web": 1243,
-    "viewer/src": 10597,
+    "web": 1258,
+    "viewer/src": 10602,
 }
-wide = {"python": 336, "R": 45, "web": 43, "viewer/src": 217}  # lines of more than 120 columns
-most_files = 1250
+wide = {"python": 336, "R": 45, "web": 58, "viewer/src": 222}  # lines of more than 120 columns
+most_files = 1266
 endings = (".cpp", ".hpp", ".h", ".py", ".ts", ".css", ".mjs", ".R")
 
 

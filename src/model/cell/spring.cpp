@@ -79,6 +79,11 @@ void add_tension(const CortexState& c, std::size_t i, double T, double dt, std::
   pull(segment(c, i, first), T, dt, force, A);
 }
 
+void add_dashpot(const CortexState& c, std::size_t i, double drag, std::uint32_t first, DragSystem& A) {
+  const Segment s = segment(c, i, first);
+  A.directed.add(drag, {{s.a, s.t}, {s.b, -s.t}});
+}
+
 void ratchet_rest_lengths(CortexState& c, const CellParameters& p, std::span<const std::uint8_t> soft) {
   const double l0_init = initial_segment_length(p);
   for (std::size_t i = 0; i < c.size(); ++i)

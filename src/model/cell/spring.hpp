@@ -38,6 +38,9 @@ void add_springs(const CortexState& c, const CellParameters& p, std::span<const 
 void add_tension(const CortexState& c, std::size_t i, double T, double dt, std::uint32_t first, std::span<Vec2> force,
                  DragSystem& A);
 
+/// Adds a dashpot `drag` [nN s/um] between the ends of segment i.
+void add_dashpot(const CortexState& c, std::size_t i, double drag, std::uint32_t first, DragSystem& A);
+
 // Memory of the cortex: stretched segments do not spring out again once they have shortened (Heck et al. 2020, section
 // "Protrusion retraction"). Test: tests/unit/cell/cell_test.cpp
 

@@ -25,12 +25,13 @@ struct Degradable {
 };
 
 /// A law of degradation at a particle, of its intact fraction and degradation_pressure() [1/s].
-double degradation_rate(const Degradable& e, const Parameters& p, const Law& law);
+double degradation_rate(const Degradable& e, const Parameters& p, const Law& law, const LawPlace& place = {});
 
 /// Parts of the cortex that degrade at rates of their own.
 struct DegradingParts {
   std::span<const std::uint8_t> on_protrusion; ///< 1 for the segments that belong to any protrusion
   std::span<const std::uint8_t> of_front{};    ///< 1 for the particles of the front; empty: all of them
+  std::span<const LawPlace> places{};          ///< of each particle of the cortex, for laws that use them
 };
 
 /// Degrades for dt, after positions have moved by dt v: around the tips, along protrusions and around the body by their

@@ -13,8 +13,17 @@ Kernel adhesion_kernel(const Parameters& p) { return Kernel(p.adhesion.spread * 
 
 } // namespace
 
-double adhesion_force(double length, const AdhesionParameters& p) {
-  return p.stiffness * std::max(0.0, length - p.rest_length);
+double adhesion_force(double length, const AdhesionParameters& p, const Laws& laws, const LawPlace& place) {
+  const double stretch = std::max(0.0, length - p.rest_length);
+  return laws.adhesion_stiffness({stretch}, place) * stretch;
+}
+
+double adhesion_slope(double length, const AdhesionParameters& p, const Laws& laws, const LawPlace& place) {
+  const double secant = laws.adhesion_stiffness({std::max(0.0, length - p.rest_length)}, place);
+  if (!laws.adhesion_stiffness.uses("stretch")) return secant;
+  constexpr double further = 1e-6; // [um]
+  const auto force = [&](double at) { return adhesion_force(at, p, laws, place); };
+  return std::max(secant, (force(length + further) - force(length)) / further);
 }
 
 double mature_pull(double f_mat, const Parameters& p) {
@@ -36,9 +45,10 @@ Vec2* anchor(Phase& phase) {
   return const_cast<Vec2*>(anchor(static_cast<const Phase&>(phase))); // NOLINT: the phase is not const here
 }
 
-double adhesion_force(const CortexState& c, const Protrusion& protrusion, const AdhesionParameters& p) {
+double adhesion_force(const CortexState& c, const Protrusion& protrusion, const AdhesionParameters& p, const Laws& laws,
+                      const LawPlace& place) {
   const Vec2* point = anchor(protrusion.phase);
-  return point == nullptr ? 0.0 : adhesion_force((*point - c.x[protrusion.centre]).norm(), p);
+  return point == nullptr ? 0.0 : adhesion_force((*point - c.x[protrusion.centre]).norm(), p, laws, place);
 }
 
 double lengthening(const CortexState& c, const Protrusion& protrusion, const EcmState& ecm,
@@ -72,16 +82,17 @@ std::vector<PointWeights> anchor_weights(const Cell& cell, const EcmState& ecm, 
   return weights;
 }
 
-void add_adhesions(const Cell& cell, const EcmState& ecm, const AdhesionParameters& p,
-                   std::span<const PointWeights> weights, double dt, std::uint32_t first, std::span<Vec2> force,
-                   DragSystem& A) {
+void add_adhesions(const Cell& cell, const EcmState& ecm, const AdhesionParameters& p, const Laws& laws,
+                   std::span<const LawPlace> places, std::span<const PointWeights> weights, double dt,
+                   std::uint32_t first, std::span<Vec2> force, DragSystem& A) {
   for (std::size_t n = 0; n < cell.protrusions.size(); ++n) {
     const Vec2* point = anchor(cell.protrusions[n].phase);
     if (point == nullptr) continue;
     const Vec2 L = *point - cell.cortex.x[cell.protrusions[n].centre];
     const double slack = p.rest_length - L.norm();
     if (slack > rounding && slack >= dt * lengthening(cell.cortex, cell.protrusions[n], ecm, weights[n])) continue;
-    const double F = -p.stiffness * slack;
+    const LawPlace place = place_at(places, cell.protrusions[n].centre);
+    const double F = -laws.adhesion_stiffness({std::max(0.0, -slack)}, place) * slack;
     const Vec2 e = L.normalized();
     const std::uint32_t tip = first + cell.protrusions[n].centre;
     force[tip] += F * e;
@@ -93,7 +104,7 @@ void add_adhesions(const Cell& cell, const EcmState& ecm, const AdhesionParamete
           A.directed.add_entry(weights[n].index[k], -weights[n].weight[k] * direction);
       A.directed.close(dt * stiffness);
     };
-    resist(e, p.stiffness);
+    resist(e, adhesion_slope(L.norm(), p, laws, place));
     if (F > 0.0) resist(perpendicular(e), F / L.norm());
   }
 }

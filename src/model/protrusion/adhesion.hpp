@@ -1,5 +1,6 @@
 #pragma once
 
+#include "parameters/laws/law.hpp"
 #include "parameters/parameters.hpp"
 #include "solve/drag_system.hpp"
 #include "sph/interpolate.hpp"
@@ -14,8 +15,10 @@
 /// retraction"; MODEL.md, I18). Test: tests/unit/protrusion/adhesion_test.cpp
 namespace matrigrate {
 
-/// Force of an adhesion spring, tension only: k_ad max(0, L - l_0,adh) [nN].   @param length  L [um]
-double adhesion_force(double length, const AdhesionParameters& p);
+/// Force of an adhesion spring, tension only: k max(0, L - l_0,adh), k by laws.adhesion_stiffness, k_ad by default
+/// [nN].
+/// @param length  L [um]
+double adhesion_force(double length, const AdhesionParameters& p, const Laws& laws, const LawPlace& place = {});
 
 /// 2 f_mat F_am, which Eqs. (7) and (9) take: the full pull of both strands (MODEL.md, I28) [nN].
 double mature_pull(double f_mat, const Parameters& p);
@@ -38,7 +41,11 @@ PointWeights hold_weights(const Phase& phase, const EcmState& ecm, const Paramet
 Vec2 reference_position(const Vec2& point, const PointWeights& weights, const EcmState& ecm);
 
 /// Force of the adhesion of a protrusion now; 0 without one [nN].
-double adhesion_force(const CortexState& c, const Protrusion& protrusion, const AdhesionParameters& p);
+double adhesion_force(const CortexState& c, const Protrusion& protrusion, const AdhesionParameters& p, const Laws& laws,
+                      const LawPlace& place = {});
+
+/// How fast that force grows with the length of the adhesion: its stiffness, or the slope where it stiffens [nN/um].
+double adhesion_slope(double length, const AdhesionParameters& p, const Laws& laws, const LawPlace& place = {});
 
 /// Speed at which the adhesion of a protrusion lengthened in the last step; 0 without one [um/s].
 /// @param weights  of its anchor
@@ -51,11 +58,11 @@ std::vector<PointWeights> anchor_weights(const Cell& cell, const EcmState& ecm, 
 /// Adds the adhesion forces on centre particles, and their reactions on the solid; linearly implicit. An adhesion that
 /// has just formed, or that would be taut after dt if it went on as in the last step, counts as taut: as if slack, it
 /// would be stretched by all that the tip moves in the step.
-/// @param weights  from anchor_weights()   @param first  node of particle 0 of the cortex   @param force  of all nodes
-///                 [nN]
-void add_adhesions(const Cell& cell, const EcmState& ecm, const AdhesionParameters& p,
-                   std::span<const PointWeights> weights, double dt, std::uint32_t first, std::span<Vec2> force,
-                   DragSystem& A);
+/// @param places  of each particle of the cortex, for laws that use them   @param weights  from anchor_weights()
+/// @param first   node of particle 0 of the cortex   @param force  of all nodes [nN]
+void add_adhesions(const Cell& cell, const EcmState& ecm, const AdhesionParameters& p, const Laws& laws,
+                   std::span<const LawPlace> places, std::span<const PointWeights> weights, double dt,
+                   std::uint32_t first, std::span<Vec2> force, DragSystem& A);
 
 /// The solid carries the anchors along for dt.
 void move_anchors(Cell& cell, const EcmState& ecm, std::span<const PointWeights> weights, double dt);

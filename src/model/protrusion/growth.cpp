@@ -42,13 +42,25 @@ Vec2 growth_force(const Vec2& direction, const Vec2& normal, const ProtrusionPar
 }
 
 void add_growth(const Cell& cell, const ProtrusionParameters& p, double area, std::span<const Vec2> normals,
-                std::uint32_t first, std::span<Vec2> force, double t, const Law& law) {
+                std::uint32_t first, std::span<Vec2> force, DragSystem& A, double t, const Law& law,
+                std::span<const LawPlace> places) {
+  constexpr std::size_t of_speed = 3; // among the arguments of the law
   for (const Protrusion& protrusion : cell.protrusions) {
     const auto* growing = std::get_if<Growing>(&protrusion.phase);
     if (growing == nullptr) continue;
-    const double factor = law({area, protrusion_length(cell.cortex, protrusion.centre, p), t - protrusion.since});
-    for (const std::size_t i : pushing_particles(cell.cortex, protrusion.centre, p))
-      force[first + i] += factor * growth_force(growing->direction, normals[i], p);
+    const double length = protrusion_length(cell.cortex, protrusion.centre, p);
+    const double speed = cell.cortex.v[protrusion.centre].dot(growing->direction);
+    const LawPlace place = place_at(places, protrusion.centre);
+    const double factor = law({area, length, t - protrusion.since, speed}, place);
+    const double fall = law.fall(of_speed, {area, length, t - protrusion.since, speed}, place);
+    for (const std::size_t i : pushing_particles(cell.cortex, protrusion.centre, p)) {
+      const Vec2 full = growth_force(growing->direction, normals[i], p);
+      force[first + i] += factor * full;
+      if (fall <= 0.0) continue;
+      const double drag = fall * full.norm();
+      force[first + i] += drag * cell.cortex.v[i].dot(growing->direction) * growing->direction;
+      A.directed.add(drag, {{static_cast<std::uint32_t>(first + i), growing->direction}});
+    }
   }
 }
 

@@ -22,13 +22,16 @@ std::vector<std::size_t> pushing_particles(const CortexState& c, std::size_t cen
 Vec2 growth_force(const Vec2& direction, const Vec2& normal, const ProtrusionParameters& p);
 
 /// Adds the growth forces of all growing protrusions.
+/// Linearly implicit in the speed of the tip, where the law depends on it.
 /// @param area     of the cell over A_0 [-]
 /// @param normals  outward unit normals of the cortex particles
 /// @param force    of all nodes [nN]
 /// @param t        now [s]
 /// @param law      laws.growth_force, Eq. (10)
+/// @param places   of each particle of the cortex, if the law uses them
 void add_growth(const Cell& cell, const ProtrusionParameters& p, double area, std::span<const Vec2> normals,
-                std::uint32_t first, std::span<Vec2> force, double t, const Law& law);
+                std::uint32_t first, std::span<Vec2> force, DragSystem& A, double t, const Law& law,
+                std::span<const LawPlace> places = {});
 
 /// Lets the particles on either flank of growing protrusions slide along the contour towards equal spacing for dt, so
 /// that the stretch does not gather at the tip. The centre stays at the tip, the first and last particle at the base.

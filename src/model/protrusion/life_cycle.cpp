@@ -24,8 +24,11 @@ struct Table {
   const Laws& laws;
 
   Contracting contracting(const Maturing& phase) const {
-    const double f_mat = final_f_mat(phase.steps, phase.last_step, now.force, p);
-    return handover(phase, f_mat, now.force, p);
+    return handover(phase, final_f_mat(loaded(phase), phase.last_step, p, laws), now.force, p);
+  }
+
+  Loaded loaded(const Maturing& phase) const {
+    return {phase.steps, now.force, now.age, now.loading, now.recoil, now.place};
   }
 
   /// Whether a phase has lasted so long; phases end at the end of a step, as early as late.
@@ -42,11 +45,11 @@ struct Table {
   Transition operator()(const Maturing& phase) const {
     if (lost()) return to(Finishing{p.actomyosin.f_mat_body}, EndCause::lost);
     if (lasted(p.adhesion.maturation_time)) return to(contracting(phase));
-    if (step_done(phase.steps, now.force, now.recoil, p)) {
+    if (step_done(loaded(phase), p, laws)) {
       Maturing next = phase;
       ++next.steps;
       Transition step = to(next);
-      step.waited = std::min(now.age, time_since_done(phase.steps, now.force, now.loading, p, dt));
+      step.waited = std::min(now.age, time_since_done(loaded(phase), dt, laws));
       std::get<Maturing>(step.next).last_step = now.age - step.waited;
       return step;
     }
@@ -57,7 +60,7 @@ struct Table {
     const Finishing finishing{phase.f_mat};
     if (lost()) return to(finishing, EndCause::lost);
     if (phase.bundle <= 0.0 && ruptures(now.force, phase.f_mat, p)) return to(finishing, EndCause::rupture);
-    const double rate = laws.disassembly_rate({now.force, phase.f_mat, now.age});
+    const double rate = laws.disassembly_rate({now.force, phase.f_mat, now.age}, now.place);
     if (now.draw < event_probability(rate, dt)) return to(finishing, EndCause::disassembly);
     const Contracting next = handed_over(phase, now.force, p, dt);
     if (next.bundle == phase.bundle && next.falling == phase.falling) return {};
@@ -106,11 +109,12 @@ Transition transition(const Phase& phase, const Circumstances& now, const Parame
 }
 
 Circumstances circumstances(const Cell& cell, const Protrusion& protrusion, const EcmState& ecm, const Instant& now,
-                            const Parameters& p, double dt) {
+                            const Parameters& p, double dt, const Laws& laws, const LawPlace& place) {
   Circumstances found{.age = now.t - protrusion.since + 1e-6 * dt, // times are sums of steps
-                      .force = adhesion_force(cell.cortex, protrusion, p.adhesion),
+                      .force = adhesion_force(cell.cortex, protrusion, p.adhesion, laws, place),
                       .ahead = adhesion_site(cell.cortex, protrusion, p.adhesion),
-                      .draw = uniform(p.run.seed, Purpose::disassembly, now.step, protrusion.record.id, cell.id)};
+                      .draw = uniform(p.run.seed, Purpose::disassembly, now.step, protrusion.record.id, cell.id),
+                      .place = place};
   const bool growing = std::holds_alternative<Growing>(protrusion.phase);
   if (const auto* maturing = std::get_if<Maturing>(&protrusion.phase))
     found.recoil = -cell.cortex.v[protrusion.centre].dot(maturing->direction);
@@ -122,16 +126,19 @@ Circumstances circumstances(const Cell& cell, const Protrusion& protrusion, cons
   if (!growing) {
     const PointWeights weights = hold_weights(protrusion.phase, ecm, p);
     found.support = weights.support;
-    found.loading = p.adhesion.stiffness * lengthening(cell.cortex, protrusion, ecm, weights);
+    if (const Vec2* point = anchor(protrusion.phase))
+      found.loading = adhesion_slope((*point - cell.cortex.x[protrusion.centre]).norm(), p.adhesion, laws, place)
+                      * lengthening(cell.cortex, protrusion, ecm, weights);
   }
   return found;
 }
 
 void update_protrusions(Cell& cell, const EcmState& ecm, const Instant& now, const Parameters& p, double dt,
-                        const Laws& laws) {
+                        const Laws& laws, std::span<const LawPlace> places) {
   std::vector<Protrusion> alive;
   for (Protrusion& protrusion : cell.protrusions) {
-    const Circumstances found = circumstances(cell, protrusion, ecm, now, p, dt);
+    const Circumstances found =
+        circumstances(cell, protrusion, ecm, now, p, dt, laws, place_at(places, protrusion.centre));
     const Transition change = transition(protrusion.phase, found, p, dt, laws);
     if (!change.changes) {
       alive.push_back(protrusion);

@@ -18,6 +18,7 @@ struct Circumstances {
   Vec2 ahead = Vec2::Zero(); ///< the point to adhere to, l_0,adh ahead of the tip [um]
   Vec2 held = Vec2::Zero();  ///< that point in the reference configuration, when growth ends [um]
   double draw = 1.0;         ///< uniform in (0, 1)
+  LawPlace place{};          ///< of the tip
 };
 
 /// What becomes of a protrusion in a step of dt.
@@ -44,11 +45,12 @@ Transition transition(const Phase& phase, const Circumstances& now, const Parame
 
 /// Circumstances of a protrusion of a cell after a step of dt, with its draw.   @param now  the end of the step
 Circumstances circumstances(const Cell& cell, const Protrusion& protrusion, const EcmState& ecm, const Instant& now,
-                            const Parameters& p, double dt);
+                            const Parameters& p, double dt, const Laws& laws, const LawPlace& place = {});
 
 /// Lets every protrusion of a cell make its transition; those that end move to cell.ended. Rest lengths become the
 /// lengths at the end of growth and of maturation.   @param now  the end of the step of dt
+/// @param places  of each particle of the cortex, for laws that use them
 void update_protrusions(Cell& cell, const EcmState& ecm, const Instant& now, const Parameters& p, double dt,
-                        const Laws& laws);
+                        const Laws& laws, std::span<const LawPlace> places = {});
 
 } // namespace matrigrate

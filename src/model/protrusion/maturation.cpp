@@ -39,31 +39,41 @@ double longest_maturation(const Parameters& p) {
   return p.adhesion.maturation_time + (max_maturation_steps + 2) * p.run.time_step;
 }
 
-double maturing_f_mat(int steps) { return std::min(1.0, maturation_step * (steps + 1)); }
-
-double step_force(int steps, const Parameters& p) {
-  return maturation_step * (steps + p.adhesion.step_threshold) * maturation_force(p);
+double maturing_f_mat(int steps, const Laws& laws, const LawPlace& place) {
+  return std::min(1.0, laws.maturation({steps + 1.0}, place));
 }
 
-bool step_done(int steps, double F, double recoil, const Parameters& p) {
-  if (steps >= max_maturation_steps || F < step_force(steps, p)) return false;
-  return steps > 0 || p.adhesion.rest_speed <= 0.0 || recoil <= p.adhesion.rest_speed;
+double f_mat_of(const Phase& phase, const Laws& laws, const LawPlace& place) {
+  if (const auto* maturing = std::get_if<Maturing>(&phase)) return maturing_f_mat(maturing->steps, laws, place);
+  if (const auto* contracting = std::get_if<Contracting>(&phase)) return contracting->f_mat;
+  if (const auto* finishing = std::get_if<Finishing>(&phase)) return finishing->f_mat;
+  return 0.0;
 }
 
-double time_since_done(int steps, double F, double loading, const Parameters& p, double dt) {
-  const double excess = F - step_force(steps, p);
-  if (excess < dt * loading) return excess / loading;
-  return steps == 0 ? dt : 0.0;
+double step_force(const Loaded& now, const Laws& laws) {
+  return laws.maturation_force({static_cast<double>(now.steps), now.force, now.age}, now.place);
 }
 
-double final_f_mat(int steps, double last_step, double F, const Parameters& p) {
-  const double part = steps > 0 ? std::clamp((p.adhesion.maturation_time - last_step) * steps / last_step, 0.0, 1.0)
-                                : std::clamp(F / step_force(0, p), 0.0, 1.0);
-  return std::clamp(maturation_step * (steps + part), p.actomyosin.f_mat_body, 1.0);
+bool step_done(const Loaded& now, const Parameters& p, const Laws& laws) {
+  if (now.steps >= max_maturation_steps || now.force < step_force(now, laws)) return false;
+  return now.steps > 0 || p.adhesion.rest_speed <= 0.0 || now.recoil <= p.adhesion.rest_speed;
 }
 
-void add_maturation(const Cell& cell, const Parameters& p, double dt, std::uint32_t first, std::span<Vec2> force,
-                    DragSystem& A) {
+double time_since_done(const Loaded& now, double dt, const Laws& laws) {
+  const double excess = now.force - step_force(now, laws);
+  if (excess < dt * now.loading) return excess / now.loading;
+  return now.steps == 0 ? dt : 0.0;
+}
+
+double final_f_mat(const Loaded& now, double last_step, const Parameters& p, const Laws& laws) {
+  const auto share = [](double part, double of) { return of > 0.0 ? std::clamp(part / of, 0.0, 1.0) : 1.0; };
+  const double part = now.steps > 0 ? share((p.adhesion.maturation_time - last_step) * now.steps, last_step)
+                                    : share(now.force, step_force(now, laws));
+  return std::clamp(laws.maturation({now.steps + part}, now.place), p.actomyosin.f_mat_body, 1.0);
+}
+
+void add_maturation(const Cell& cell, const Parameters& p, const Laws& laws, std::span<const LawPlace> places,
+                    double dt, std::uint32_t first, std::span<Vec2> force, DragSystem& A) {
   for (const Protrusion& protrusion : cell.protrusions) {
     if (const auto* contracting = std::get_if<Contracting>(&protrusion.phase); contracting != nullptr) {
       if (contracting->bundle > 0.0) pull_base(cell.cortex, protrusion, p, contracting->bundle, dt, first, force, A);
@@ -71,7 +81,8 @@ void add_maturation(const Cell& cell, const Parameters& p, double dt, std::uint3
     }
     const auto* maturing = std::get_if<Maturing>(&protrusion.phase);
     if (maturing == nullptr) continue;
-    force[first + protrusion.centre] -= maturing_f_mat(maturing->steps) * maturation_force(p) * maturing->direction;
+    const double f_mat = maturing_f_mat(maturing->steps, laws, place_at(places, protrusion.centre));
+    force[first + protrusion.centre] -= f_mat * maturation_force(p) * maturing->direction;
     pin_base(cell.cortex, protrusion, p, first, A);
   }
 }

@@ -16,9 +16,9 @@ std::optional<double> adhesion_direction(const Cell& cell, const Vec2& centre);
 
 /// The angle after dt of turning towards `target`, the shorter way: at the rate of the law, for the angle as it is,
 /// times the angle between them [rad].   @param law  laws.polarization_rate
-double turned(double angle, double target, double dt, const Law& law);
+double turned(double angle, double target, double dt, const Law& law, const LawPlace& place = {});
 
-/// Turns d_pol for dt.
-void polarize(Cell& cell, const Vec2& centre, double dt, const Law& law);
+/// Turns d_pol for dt.   @param place  of the centre
+void polarize(Cell& cell, const Vec2& centre, double dt, const Law& law, const LawPlace& place = {});
 
 } // namespace matrigrate

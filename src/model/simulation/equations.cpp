@@ -19,6 +19,7 @@
 #include "protrusion/adhesion.hpp"
 #include "protrusion/growth.hpp"
 #include "protrusion/maturation.hpp"
+#include "simulation/law_places.hpp"
 #include "state/dof.hpp"
 
 #include <algorithm>
@@ -57,14 +58,14 @@ void assemble_cell_forces(const State& s, std::size_t k, const Parameters& p, do
   add_area(c, p.cell, dt, first, w.force, w.drag);
   add_repulsion(c, p.cell, dt, first, w.force, w.drag);
   add_elastic_contact(s.ecm, c, p, shape.nearby, dt, first, w.force, w.drag);
-  add_actomyosin(c, p.actomyosin, m.f_mat, dt, first, w.force, w.drag, w.laws.curvature_factor);
+  add_actomyosin(c, m.f_mat, shape.places, dt, first, w.force, w.drag, w.laws);
   const Vec2 inner = sum(forces);
-  add_growth(cell, p.protrusion, area(c) / initial_area(p.cell), shape.normals, first, w.force, s.t,
-             w.laws.growth_force);
+  add_growth(cell, p.protrusion, area(c) / initial_area(p.cell), shape.normals, first, w.force, w.drag, s.t,
+             w.laws.growth_force, shape.places);
   add_base_ties(cell, p.protrusion, p.cell.spring_stiffness, dt, first, w.force, w.drag);
-  add_maturation(cell, p, dt, first, w.force, w.drag);
+  add_maturation(cell, p, w.laws, shape.places, dt, first, w.force, w.drag);
   w.outer_force += sum(forces) - inner;
-  add_adhesions(cell, s.ecm, p.adhesion, shape.anchor_weights, dt, first, w.force, w.drag);
+  add_adhesions(cell, s.ecm, p.adhesion, w.laws, shape.places, shape.anchor_weights, dt, first, w.force, w.drag);
 }
 
 /// The nucleus of a cell, and its contact with the cortex.
@@ -94,6 +95,7 @@ void describe_cells(const State& s, const Parameters& p, Workspace& w) {
     shape.normals = normals(cell.cortex);
     shape.nearby = nearby_solid(s.ecm, cell.cortex, SegmentGrid(cell.cortex, reach), reach);
     shape.anchor_weights = anchor_weights(cell, s.ecm, p);
+    shape.places = places_of_forces(cell, s.ecm, p, s.t, w.laws);
   }
   w.touches = cell_touches(s.cells, cell_reach(p.contact.cells));
 }

@@ -11,6 +11,7 @@
 #include "protrusion/initiation.hpp"
 #include "protrusion/life_cycle.hpp"
 #include "protrusion/polarization.hpp"
+#include "simulation/law_places.hpp"
 
 #include <fmt/format.h>
 
@@ -52,7 +53,8 @@ void degrade_around_cells(State& s, const Parameters& p, double dt, Workspace& w
     const CellShape& shape = w.cells[k];
     std::vector<std::uint8_t> of_front;
     if (p.degradation.rear_share != 1.0) of_front = front_of(s.cells[k]);
-    degrade(s.ecm, p, shape.nearby, {shape.membership.on_protrusion, of_front}, tips_of(s.cells[k], p, dt), dt, w.laws);
+    degrade(s.ecm, p, shape.nearby, {shape.membership.on_protrusion, of_front, shape.places},
+            tips_of(s.cells[k], p, dt), dt, w.laws);
     w.health.engulfed += fluidize_engulfed(s.ecm, p, shape.nearby);
   }
 }
@@ -66,12 +68,13 @@ bool advance_protrusions(Cell& cell, const EcmState& ecm, const Instant& now, co
   const Vec2 centre = centre_of_mass(cell.cortex);
   const std::vector<Vec2> n = normals(cell.cortex);
   deflect(cell, ecm, p, dt, n, [&](const Vec2& point) { return contains(cell.cortex, point); });
-  update_protrusions(cell, ecm, now, p, dt, laws);
-  polarize(cell, centre, dt, laws.polarization_rate);
+  update_protrusions(cell, ecm, now, p, dt, laws, places_of_transitions(cell, ecm, p, now.t, laws));
+  polarize(cell, centre, dt, laws.polarization_rate,
+           place_of_centre(cell, centre, ecm, p, now.t, laws.polarization_rate));
   const std::vector<std::uint8_t> of_front = front_of(cell);
-  const std::vector<double> bias = propensity(cell, ecm, p, laws.initiation_bias);
+  const std::vector<double> bias = propensity(cell, ecm, p, laws.initiation_bias, now.t);
   const std::vector<double> propensity_with_cues = product(bias, given);
-  const std::vector<double> rate = along_cortex(laws.initiation_rate, cell, ecm, p);
+  const std::vector<double> rate = along_cortex(laws.initiation_rate, cell, ecm, p, now.t);
   initiate(cell, now, p, dt,
            {of_front, n, centre, area(cell.cortex) / initial_area(p.cell), rate, propensity_with_cues});
   ratchet_rest_lengths(cell.cortex, p.cell, membership(cell, p).soft);

@@ -40,6 +40,7 @@ struct CellShape {
   std::vector<Vec2> normals;                ///< outward unit normals of the cortex particles
   std::vector<NearbyParticle> nearby;       ///< solid particles within the support of the kernel
   std::vector<PointWeights> anchor_weights; ///< parallel to Cell::protrusions
+  std::vector<LawPlace> places;             ///< of each particle of the cortex, if a law uses them
 };
 
 /// Everything that is derived from State and Parameters and can be rebuilt at any time.

@@ -8,6 +8,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <cctype>
 #include <cmath>
 #include <set>
 #include <stdexcept>
@@ -26,6 +28,9 @@ std::vector<std::string_view> names_of(std::span<const LawVariable> arguments) {
 std::string known_names(const Row& law, const Parameters& p) {
   std::string text;
   for (const LawVariable& argument : law.arguments) text += fmt::format("{}, ", argument.name);
+  for (const LawVariable& shared : law.shared)
+    if (std::ranges::find(law.arguments, shared.name, &LawVariable::name) == law.arguments.end())
+      text += fmt::format("{}, ", shared.name);
   for (const LawConstant& constant : law_constants(p)) text += fmt::format("{}, ", constant.number.name);
   return fmt::format("; names here are {}{}symbols of parameters; define others in [laws.constants]", text,
                      text.empty() ? "" : "and ");
@@ -47,25 +52,39 @@ std::set<std::string, std::less<>> names_in(const Row& law, const Parameters& p)
 
 /// The arguments that a law is drawn over: those that it depends on; else the first that the default depends on, or the
 /// first of all.
-std::vector<std::size_t> drawn_over(const Row& law, const fields::Expression& changed,
-                                    const fields::Expression& usual) {
+std::vector<std::size_t> drawn_over(const std::vector<bool>& changed, const std::vector<bool>& usual) {
   std::vector<std::size_t> found;
-  for (const fields::Expression* formula : {&changed, &usual})
-    for (std::size_t k = 0; k < law.arguments.size() && (formula == &changed || found.empty()); ++k)
-      if (formula->uses(k)) found.push_back(k);
+  for (const std::vector<bool>* used : {&changed, &usual})
+    for (std::size_t k = 0; k < used->size() && (used == &changed || found.empty()); ++k)
+      if ((*used)[k]) found.push_back(k);
   if (found.empty()) found.push_back(0);
   return found;
 }
 
 } // namespace
 
-fields::Expression law_formula(const Row& law, const Parameters& p, const std::string& text) {
-  const std::vector<std::string_view> arguments = names_of(law.arguments);
+std::vector<LawVariable> law_variables(const Row& law, std::string_view text) {
+  std::vector<LawVariable> found(law.arguments.begin(), law.arguments.end());
+  const auto in_name = [](char c) { return c == '_' || std::isalnum(static_cast<unsigned char>(c)) != 0; };
+  for (auto begin = std::ranges::find_if(text, in_name); begin != text.end();) {
+    const auto end = std::find_if_not(begin, text.end(), in_name);
+    const auto shared = std::ranges::find(law.shared, std::string_view(begin, end), &LawVariable::name);
+    if (shared != law.shared.end() && std::ranges::find(found, shared->name, &LawVariable::name) == found.end())
+      found.push_back(*shared);
+    begin = std::find_if(end, text.end(), in_name);
+  }
+  return found;
+}
+
+fields::Expression law_formula(const Row& law, const Parameters& p, const std::string& text,
+                               std::span<const LawVariable> variables) {
+  const std::vector<std::string_view> arguments = names_of(variables);
   const std::vector<fields::NamedNumber> names = law_names(p);
   try {
     return {text, arguments, names};
   } catch (const fields::UnknownName& error) {
     std::vector<std::string> known(arguments.begin(), arguments.end());
+    for (const LawVariable& shared : law.shared) known.emplace_back(shared.name);
     for (const fields::NamedNumber& name : names) known.push_back(name.name);
     constexpr std::size_t telling = 3; // letters: of fewer any other name is near
     const std::string meant = error.name.size() < telling ? "" : did_you_mean(nearest(error.name, known));
@@ -73,12 +92,17 @@ fields::Expression law_formula(const Row& law, const Parameters& p, const std::s
   }
 }
 
-std::string law_arguments(const Row& law, std::span<const double> arguments, const std::vector<bool>& named) {
+fields::Expression law_formula(const Row& law, const Parameters& p, const std::string& text) {
+  return law_formula(law, p, text, law_variables(law, text));
+}
+
+std::string law_arguments(std::span<const LawVariable> variables, std::span<const double> values,
+                          const std::vector<bool>& named) {
   std::string text;
-  for (std::size_t k = 0; k < law.arguments.size(); ++k)
+  for (std::size_t k = 0; k < variables.size(); ++k)
     if (named[k])
-      text += fmt::format("{}{} = {}", text.empty() ? "" : ", ", law.arguments[k].name,
-                          with_unit(arguments[k], law.arguments[k].unit));
+      text += fmt::format("{}{} = {}", text.empty() ? "" : ", ", variables[k].name,
+                          with_unit(values[k], variables[k].unit));
   return text.empty() ? "any argument" : text;
 }
 
@@ -92,32 +116,69 @@ std::string law_fault(const Row& law, double value, const std::string& where) {
 }
 
 Law::Law(std::string_view path, const Parameters& p)
-    : m_row(find_row(path)), m_judged(is_changed(*m_row, p)), m_formula(law_formula(*m_row, p, text_of(*m_row, p))) {}
+    : m_row(find_row(path)), m_judged(is_changed(*m_row, p)), m_variables(law_variables(*m_row, text_of(*m_row, p))),
+      m_formula(law_formula(*m_row, p, text_of(*m_row, p), m_variables)) {
+  constexpr std::array members{&LawPlace::x,        &LawPlace::y,      &LawPlace::time,      &LawPlace::density,
+                               &LawPlace::pressure, &LawPlace::f_degr, &LawPlace::stiffness, &LawPlace::l,
+                               &LawPlace::age,      &LawPlace::t_mat,  &LawPlace::f_mat};
+  for (std::size_t k = m_row->arguments.size(); k < m_variables.size(); ++k)
+    m_shared.push_back(
+        members.at(std::ranges::find(m_row->shared, m_variables[k].name, &LawVariable::name) - m_row->shared.begin()));
+}
 
 bool Law::uses(std::string_view argument) const {
-  const auto found = std::ranges::find(m_row->arguments, argument, &LawVariable::name);
-  return found != m_row->arguments.end() && m_formula.uses(static_cast<std::size_t>(found - m_row->arguments.begin()));
+  const auto found = std::ranges::find(m_variables, argument, &LawVariable::name);
+  return found != m_variables.end() && m_formula.uses(static_cast<std::size_t>(found - m_variables.begin()));
 }
 
 bool Law::varies() const {
-  return std::ranges::any_of(m_row->arguments, [&](const LawVariable& argument) { return uses(argument.name); });
+  return std::ranges::any_of(m_variables, [&](const LawVariable& argument) { return uses(argument.name); });
 }
 
-double Law::operator()(std::initializer_list<double> arguments) const {
-  const std::span<const double> at(arguments.begin(), arguments.size());
-  const double value = m_formula.at(at);
+bool Law::uses_matrix() const {
+  return std::ranges::any_of(
+      std::array{&LawPlace::density, &LawPlace::pressure, &LawPlace::f_degr, &LawPlace::stiffness},
+      [&](auto member) { return std::ranges::find(m_shared, member) != m_shared.end(); });
+}
+
+double Law::operator()(std::initializer_list<double> own, const LawPlace& place) const {
+  return at({own.begin(), own.size()}, place);
+}
+
+double Law::at(std::span<const double> own, const LawPlace& place) const {
+  std::array<double, 20> values{}; // more than any law has
+  std::ranges::copy(own, values.begin());
+  for (std::size_t k = 0; k < m_shared.size(); ++k) values[m_row->arguments.size() + k] = place.*m_shared[k];
+  const std::span<const double> all(values.data(), m_variables.size());
+  const double value = m_formula.at(all);
   if (!m_judged || in_range(*m_row, value)) return value;
-  const std::vector<bool> all(at.size(), true);
-  throw NumericalFailure(FailureCause::law,
-                         fmt::format("{} {}", m_row->path, law_fault(*m_row, value, law_arguments(*m_row, at, all))));
+  const std::string where = law_arguments(m_variables, all, std::vector<bool>(all.size(), true));
+  throw NumericalFailure(FailureCause::law, fmt::format("{} {}", m_row->path, law_fault(*m_row, value, where)));
+}
+
+double Law::fall(std::size_t argument, std::initializer_list<double> own, const LawPlace& place) const {
+  if (!m_formula.uses(argument)) return 0.0;
+  constexpr double step = 1e-6; // of the range that cells usually have
+  std::vector<double> there(own);
+  const double further = step * (m_variables[argument].drawn_high - m_variables[argument].drawn_low);
+  there[argument] += further;
+  return std::max(0.0, (at({own.begin(), own.size()}, place) - at(there, place)) / further);
 }
 
 Laws::Laws(const Parameters& p)
-    : curvature_factor("laws.curvature_factor", p), disassembly_rate("laws.disassembly_rate", p),
+    : curvature_factor("laws.curvature_factor", p), contraction("laws.contraction", p),
+      maturation_force("laws.maturation_force", p), maturation("laws.maturation", p),
+      adhesion_stiffness("laws.adhesion_stiffness", p), disassembly_rate("laws.disassembly_rate", p),
       growth_force("laws.growth_force", p), initiation_rate("laws.initiation_rate", p),
       initiation_bias("laws.initiation_bias", p), polarization_rate("laws.polarization_rate", p),
       degradation_tip("laws.degradation_tip", p), degradation_protrusion("laws.degradation_protrusion", p),
       degradation_body("laws.degradation_body", p) {}
+
+std::vector<bool> used_by(const fields::Expression& formula, std::span<const LawVariable> variables) {
+  std::vector<bool> used;
+  for (std::size_t k = 0; k < variables.size(); ++k) used.push_back(formula.uses(k));
+  return used;
+}
 
 std::string fault_of_law(const Parameters& p, const Row& law) {
   try {
@@ -153,18 +214,20 @@ std::string constants_of(const Row& law, const Parameters& p) {
 }
 
 std::vector<LawCurve> law_curves(const Parameters& p, const Row& law, std::size_t points) {
-  const fields::Expression changed = law_formula(law, p, text_of(law, p));
-  const fields::Expression usual = law_formula(law, p, usual_text(law));
+  const std::vector<LawVariable> variables = law_variables(law, text_of(law, p));
+  const fields::Expression changed = law_formula(law, p, text_of(law, p), variables);
+  const fields::Expression usual = law_formula(law, p, usual_text(law), variables);
+  const std::vector<bool> by_changed = used_by(changed, variables), by_usual = used_by(usual, variables);
   std::vector<LawCurve> curves;
-  for (const std::size_t over : drawn_over(law, changed, usual)) {
-    LawCurve curve{.over = law.arguments[over], .at = {}, .x = {}, .usual = {}, .changed = {}};
+  for (const std::size_t over : drawn_over(by_changed, by_usual)) {
+    LawCurve curve{.over = variables[over], .at = {}, .x = {}, .usual = {}, .changed = {}};
     std::vector<double> at;
     std::vector<bool> held;
-    for (std::size_t k = 0; k < law.arguments.size(); ++k) {
-      at.push_back(law.arguments[k].usual);
-      held.push_back(k != over && (changed.uses(k) || usual.uses(k)));
+    for (std::size_t k = 0; k < variables.size(); ++k) {
+      at.push_back(variables[k].usual);
+      held.push_back(k != over && (by_changed[k] || by_usual[k]));
     }
-    if (std::ranges::find(held, true) != held.end()) curve.at = law_arguments(law, at, held);
+    if (std::ranges::find(held, true) != held.end()) curve.at = law_arguments(variables, at, held);
     for (std::size_t k = 0; k < points; ++k) {
       const double share = static_cast<double>(k) / static_cast<double>(points - 1);
       at[over] = curve.over.drawn_low + (curve.over.drawn_high - curve.over.drawn_low) * share;

@@ -14,6 +14,26 @@
 /// Test: tests/unit/parameters/law_test.cpp
 namespace matrigrate {
 
+/// Where, when and on which protrusion a law of a cell acts: the values of shared_arguments(), in their order.
+struct LawPlace {
+  double x = 0.0;         ///< [um]
+  double y = 0.0;         ///< [um]
+  double time = 0.0;      ///< [s]
+  double density = 1.0;   ///< of the solid matrix around [-]
+  double pressure = 0.0;  ///< [Pa]
+  double f_degr = 0.0;    ///< [-]
+  double stiffness = 0.0; ///< [Pa]
+  double l = 0.0;         ///< of the protrusion [um]
+  double age = 0.0;       ///< [s]
+  double t_mat = 0.0;     ///< [s]
+  double f_mat = 0.0;     ///< [-]
+};
+
+/// That of particle i; where no law uses any there are none, and it does not matter.
+inline LawPlace place_at(std::span<const LawPlace> places, std::size_t i) {
+  return places.empty() ? LawPlace{} : places[i];
+}
+
 /// A law of one set of parameters, evaluated by one thread at a time.
 class Law {
 public:
@@ -25,14 +45,25 @@ public:
   bool uses(std::string_view argument) const;
   bool varies() const;
 
+  /// Whether it may depend on any shared argument, and on those of the matrix around.
+  bool uses_place() const { return !m_shared.empty(); }
+  bool uses_matrix() const;
+
   /// Its value, in the unit of its row.
-  /// @param arguments  all, in their order
+  /// @param own  its own arguments, all, in their order
   /// @throws NumericalFailure if the law is not the default one, and the value is not allowed
-  double operator()(std::initializer_list<double> arguments) const;
+  double operator()(std::initializer_list<double> own, const LawPlace& place = {}) const;
+
+  /// How fast its value falls with one of its own arguments; 0 where it rises. For what is linearly implicit.
+  double fall(std::size_t argument, std::initializer_list<double> own, const LawPlace& place) const;
 
 private:
+  double at(std::span<const double> own, const LawPlace& place) const;
+
   const Row* m_row;
   bool m_judged;
+  std::vector<LawVariable> m_variables;
+  std::vector<double LawPlace::*> m_shared; ///< of the variables after its own
   fields::Expression m_formula;
 };
 
@@ -43,6 +74,10 @@ struct Laws {
   explicit Laws(const Parameters& p);
 
   Law curvature_factor;
+  Law contraction;
+  Law maturation_force;
+  Law maturation;
+  Law adhesion_stiffness;
   Law disassembly_rate;
   Law growth_force;
   Law initiation_rate;
@@ -53,15 +88,24 @@ struct Laws {
   Law degradation_body;
 };
 
-/// A text as a formula in the arguments and names of a law.
+/// What the text of a law is a formula in: its own arguments, and those of the shared ones that it names.
+std::vector<LawVariable> law_variables(const Row& law, std::string_view text);
+
+/// A text as a formula in the variables and names of a law.
 /// @throws std::invalid_argument saying what is wrong, where, and which name may be meant
+fields::Expression law_formula(const Row& law, const Parameters& p, const std::string& text,
+                               std::span<const LawVariable> variables);
 fields::Expression law_formula(const Row& law, const Parameters& p, const std::string& text);
+
+/// Which of its variables a formula may depend on.
+std::vector<bool> used_by(const fields::Expression& formula, std::span<const LawVariable> variables);
 
 /// What is wrong with the text of a law, where laws.constants can be read; empty if nothing is.
 std::string fault_of_law(const Parameters& p, const Row& law);
 
-/// "F = 0.3 nN, f_mat = 0.5".   @param named  which arguments are told
-std::string law_arguments(const Row& law, std::span<const double> arguments, const std::vector<bool>& named);
+/// "F = 0.3 nN, f_mat = 0.5".   @param named  which variables are told
+std::string law_arguments(std::span<const LawVariable> variables, std::span<const double> values,
+                          const std::vector<bool>& named);
 
 /// "is -2 1/s at F = 1 nN; allowed is >= 0 and <= 1e+06 1/s; ...": what is wrong with a value out of the law's range,
 /// and what helps.

@@ -1,6 +1,7 @@
 #include "parameters/laws/law_names.hpp"
 
 #include "parameters/document.hpp"
+#include "parameters/laws/law.hpp"
 
 #include <fmt/format.h>
 
@@ -31,6 +32,8 @@ std::string name_of(std::string_view symbol) {
 constexpr const char* both_strands = "F_both";
 
 bool is_argument(std::string_view name) {
+  const auto shared = shared_arguments();
+  if (std::ranges::find(shared, name, &LawVariable::name) != shared.end()) return true;
   return std::ranges::any_of(law_rows(), [&](const Row& law) {
     return std::ranges::find(law.arguments, name, &LawVariable::name) != law.arguments.end();
   });
@@ -129,8 +132,9 @@ void number_by_value(fields::Part& part) {
 
 std::string formula_meaning(const Row& law, const Parameters& p) {
   const std::vector<LawConstant> constants = law_constants(p);
+  const std::vector<LawVariable> variables = law_variables(law, text_of(law, p));
   fields::FormulaTree tree = fields::tree_of(text_of(law, p), [&](std::string_view name) {
-    return std::ranges::find(law.arguments, name, &LawVariable::name) != law.arguments.end() || name == both_strands
+    return std::ranges::find(variables, name, &LawVariable::name) != variables.end() || name == both_strands
            || row_of_symbol(name) != nullptr
            || std::ranges::any_of(constants, [&](const LawConstant& c) { return c.number.name == name; });
   });
@@ -188,8 +192,9 @@ DimensionOf law_dimensions(const Row& law, const Parameters& p) {
     return dimension;
   };
   return [&law, of_unit, constants = law_constants(p)](std::string_view name) -> std::optional<units::Dimension> {
-    for (const LawVariable& argument : law.arguments)
-      if (argument.name == name) return of_unit(argument.unit);
+    for (const std::span<const LawVariable> some : {law.arguments, law.shared})
+      for (const LawVariable& argument : some)
+        if (argument.name == name) return of_unit(argument.unit);
     for (const LawConstant& constant : constants)
       if (constant.number.name == name) return constant.dimension;
     if (name == both_strands) return units::Dimension{.force = 1000};

@@ -18,12 +18,12 @@ constexpr double most_points = 2e5; // of a grid; each takes 50 to 200 ns
 
 /// " (1/kappa, at character 5, is infinite)": the innermost part of a formula that is not finite; empty if there is
 /// none.
-std::string place_of_fault(const Row& law, const Parameters& p, const fields::FormulaTree& tree,
-                           std::span<const double> arguments) {
+std::string place_of_fault(const Row& law, const Parameters& p, std::span<const LawVariable> variables,
+                           const fields::FormulaTree& tree, std::span<const double> arguments) {
   std::string place;
   fields::for_each_part(tree.whole, [&](const fields::Part& part) {
     if (!place.empty() || part.parts.empty()) return;
-    const double value = law_formula(law, p, fields::written(part)).at(arguments);
+    const double value = law_formula(law, p, fields::written(part), variables).at(arguments);
     if (!std::isfinite(value))
       place = fmt::format(" ({}, at character {}, is {})", fields::written(part), part.at,
                           std::isnan(value) ? "not a number" : "infinite");
@@ -71,20 +71,15 @@ void over_grid(const std::vector<std::vector<double>>& axes, const Visit& visit)
   }
 }
 
-std::vector<bool> used_by(const fields::Expression& formula, const Row& law) {
-  std::vector<bool> used;
-  for (std::size_t k = 0; k < law.arguments.size(); ++k) used.push_back(formula.uses(k));
-  return used;
-}
-
-/// The points of each argument at which a law is judged.
-std::vector<std::vector<double>> grid(const Row& law, const std::vector<bool>& used, std::vector<double> numbers) {
+/// The points of each variable at which a law is judged.
+std::vector<std::vector<double>> grid(std::span<const LawVariable> variables, const std::vector<bool>& used,
+                                      std::vector<double> numbers) {
   const auto count = static_cast<double>(std::ranges::count(used, true));
   if (count > 2) numbers.clear(); // the grid would be too large
   const auto points = 2 * static_cast<std::size_t>(0.4 * std::pow(most_points, 1.0 / std::max(1.0, count))) + 1;
   std::vector<std::vector<double>> axes;
-  for (std::size_t k = 0; k < law.arguments.size(); ++k)
-    axes.push_back(used[k] ? axis(law.arguments[k], points, numbers) : std::vector<double>{law.arguments[k].usual});
+  for (std::size_t k = 0; k < variables.size(); ++k)
+    axes.push_back(used[k] ? axis(variables[k], points, numbers) : std::vector<double>{variables[k].usual});
   return axes;
 }
 
@@ -98,15 +93,16 @@ std::vector<double> law_numbers(const Row& law, const Parameters& p) {
 }
 
 std::vector<std::string> steady_comparisons(const Parameters& p, const Row& law) {
-  const fields::Expression whole = law_formula(law, p, text_of(law, p));
+  const std::vector<LawVariable> variables = law_variables(law, text_of(law, p));
+  const fields::Expression whole = law_formula(law, p, text_of(law, p), variables);
   std::vector<std::string> found;
   fields::for_each_part(whole.tree().whole, [&](const fields::Part& part) {
     if (!fields::is_comparison(part)) return;
-    const fields::Expression comparison = law_formula(law, p, fields::written(part));
-    const std::vector<bool> used = used_by(comparison, law);
+    const fields::Expression comparison = law_formula(law, p, fields::written(part), variables);
+    const std::vector<bool> used = used_by(comparison, variables);
     if (std::ranges::find(used, true) == used.end()) return; // of constants alone
     bool some = false, all = true;
-    over_grid(grid(law, used, {}), [&](const std::vector<double>& arguments) {
+    over_grid(grid(variables, used, {}), [&](const std::vector<double>& arguments) {
       const bool holds = comparison.at(arguments) != 0.0;
       some = some || holds;
       all = all && holds;
@@ -116,8 +112,7 @@ std::vector<std::string> steady_comparisons(const Parameters& p, const Row& law)
     std::string where;
     for (std::size_t k = 0; k < used.size(); ++k)
       if (used[k])
-        where +=
-            fmt::format("{}{} from {}", where.empty() ? "" : ", ", law.arguments[k].name, range_text(law.arguments[k]));
+        where += fmt::format("{}{} from {}", where.empty() ? "" : ", ", variables[k].name, range_text(variables[k]));
     found.push_back(fmt::format("{}, at character {}, {} wherever the law is judged ({}, on a grid)",
                                 fields::written(part), part.at, all ? "holds" : "does not hold", where));
   });
@@ -125,10 +120,11 @@ std::vector<std::string> steady_comparisons(const Parameters& p, const Row& law)
 }
 
 std::string fault_of_law_values(const Parameters& p, const Row& law) {
-  const fields::Expression formula = law_formula(law, p, text_of(law, p));
+  const std::vector<LawVariable> variables = law_variables(law, text_of(law, p));
+  const fields::Expression formula = law_formula(law, p, text_of(law, p), variables);
   if (!formula.tree().chained.empty()) return formula.tree().chained;
-  const std::vector<bool> used = used_by(formula, law);
-  const std::vector<std::vector<double>> axes = grid(law, used, numbers_in(formula.tree(), law_names(p)));
+  const std::vector<bool> used = used_by(formula, variables);
+  const std::vector<std::vector<double>> axes = grid(variables, used, numbers_in(formula.tree(), law_names(p)));
   const auto excess = [&](double value) { return std::max(law.range.low - value, value - law.range.high); };
   std::vector<double> worst; // its arguments
   double most = 0.0;
@@ -143,8 +139,8 @@ std::string fault_of_law_values(const Parameters& p, const Row& law) {
   if (worst.empty())
     return fault_of_units(formula.tree().whole, law_dimensions(law, p), units::parse_unit(law.unit).dimension);
   const double value = formula.at(worst);
-  const std::string place = std::isfinite(value) ? "" : place_of_fault(law, p, formula.tree(), worst);
-  return law_fault(law, value, law_arguments(law, worst, used) + place);
+  const std::string place = std::isfinite(value) ? "" : place_of_fault(law, p, variables, formula.tree(), worst);
+  return law_fault(law, value, law_arguments(variables, worst, used) + place);
 }
 
 std::string values_rule(const Row& row) { return fmt::format("the values of {} are allowed", row.path); }

@@ -8,6 +8,8 @@
 #include "ecm/loop/fluid.hpp"
 #include "observe/tracks.hpp"
 #include "protrusion/adhesion.hpp"
+#include "protrusion/maturation.hpp"
+#include "simulation/law_places.hpp"
 #include "sph/neighbours.hpp"
 #include "state/protrusion.hpp"
 
@@ -112,13 +114,16 @@ MatrixFrame matrix_frame(const State& s, const Parameters& p, const Workspace& w
 }
 
 /// Magnitude of what the tensions of both segments of each particle add up to [nN].
-Floats actomyosin_forces(const CortexState& c, const std::vector<double>& f_mat, const ActomyosinParameters& p,
-                         const Law& curvature_law) {
+Floats actomyosin_forces(const CortexState& c, const std::vector<double>& f_mat, std::span<const LawPlace> places,
+                         const Laws& laws) {
   std::vector<Vec2> sum(c.size(), Vec2::Zero());
+  std::vector<double> kappa;
+  for (std::size_t i = 0; i < c.size(); ++i) kappa.push_back(curvature(c, i));
   for (std::size_t i = 0; i < c.size(); ++i) {
     const std::size_t j = c.next(i);
-    const double kappa = 0.5 * (curvature(c, i) + curvature(c, j));
-    const Vec2 T = F_am(f_mat[i], f_mat[j], kappa, p, curvature_law) * (c.x[j] - c.x[i]).normalized();
+    const LawPlace place = place_at(places, i);
+    const double tension = F_am(strand(c, i, f_mat, kappa, laws, place), laws, place);
+    const Vec2 T = tension * (c.x[j] - c.x[i]).normalized();
     sum[i] += T;
     sum[j] -= T;
   }
@@ -133,11 +138,12 @@ void append(std::vector<Number>& to, const std::vector<Number>& more) {
 }
 
 /// @param before  protrusions of the cells before
-void add_outline(OutlineFrame& o, const Cell& cell, std::size_t before, const Parameters& p, const Law& curvature_law) {
+void add_outline(OutlineFrame& o, const Cell& cell, std::size_t before, const Parameters& p, const Laws& laws,
+                 std::span<const LawPlace> places) {
   const CortexState& c = cell.cortex;
   const Membership m = membership(cell, p);
   append(o.front, cell.polarization ? front(c, *cell.polarization) : Bytes(c.size(), 1));
-  append(o.force, actomyosin_forces(c, m.f_mat, p.actomyosin, curvature_law));
+  append(o.force, actomyosin_forces(c, m.f_mat, places, laws));
   for (std::size_t i = 0; i < c.size(); ++i) {
     add(o.x, c.x[i]);
     o.f_mat.push_back(static_cast<float>(m.f_mat[i]));
@@ -149,22 +155,17 @@ void add_outline(OutlineFrame& o, const Cell& cell, std::size_t before, const Pa
   }
 }
 
-struct Maturation {
-  double operator()(const Growing&) const { return 0.0; }
-  double operator()(const Maturing& phase) const { return std::min(1.0, 0.1 * (phase.steps + 1)); }
-  double operator()(const Contracting& phase) const { return phase.f_mat; }
-  double operator()(const Finishing& phase) const { return phase.f_mat; }
-};
-
-void add_protrusions(ProtrusionFrame& out, const Cell& cell, const AdhesionParameters& p) {
+void add_protrusions(ProtrusionFrame& out, const Cell& cell, const AdhesionParameters& p, const Laws& laws,
+                     std::span<const LawPlace> places) {
   for (const Protrusion& protrusion : cell.protrusions) {
+    const LawPlace place = place_at(places, protrusion.centre);
     const Vec2* adhered = anchor(protrusion.phase);
     out.id.push_back(static_cast<std::uint32_t>(protrusion.record.id));
     out.centre.push_back(static_cast<std::uint32_t>(protrusion.centre));
     out.phase.push_back(static_cast<std::uint8_t>(protrusion.phase.index()));
     add(out.anchor, adhered != nullptr ? *adhered : Vec2(undefined, undefined));
-    out.f_mat.push_back(static_cast<float>(std::visit(Maturation{}, protrusion.phase)));
-    out.force.push_back(static_cast<float>(adhesion_force(cell.cortex, protrusion, p)));
+    out.f_mat.push_back(static_cast<float>(f_mat_of(protrusion.phase, laws, place)));
+    out.force.push_back(static_cast<float>(adhesion_force(cell.cortex, protrusion, p, laws, place)));
   }
 }
 
@@ -263,8 +264,9 @@ FrameHead frame_head(const State& s, const Parameters& p) {
 Frame frame(const State& s, const Parameters& p, const Workspace& w) {
   Frame frame{.t = s.t, .matrix = matrix_frame(s, p, w), .outline = {}, .protrusions = {}};
   for (const Cell& cell : s.cells) {
-    add_outline(frame.outline, cell, frame.protrusions.id.size(), p, w.laws.curvature_factor);
-    add_protrusions(frame.protrusions, cell, p.adhesion);
+    const std::vector<LawPlace> places = places_of_forces(cell, s.ecm, p, s.t, w.laws);
+    add_outline(frame.outline, cell, frame.protrusions.id.size(), p, w.laws, places);
+    add_protrusions(frame.protrusions, cell, p.adhesion, w.laws, places);
     for (const Vec2& x : cell.nucleus.x) add(frame.nucleus, x);
     if (s.cells.size() == 1) continue;
     const auto number = static_cast<std::uint32_t>(number_of(cell.id));

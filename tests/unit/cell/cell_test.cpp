@@ -16,17 +16,20 @@ std::vector<double> uneven_maturation(const CortexState& c) {
   return f_mat;
 }
 
-/// The curvature factor of the paper.
-const Law& factor() {
-  static const Law law("laws.curvature_factor", {});
-  return law;
+/// The laws of the paper.
+const Laws& laws() {
+  static const Laws all(Parameters{});
+  return all;
 }
 
-double curvature_factor(double kappa) { return factor()({kappa}); }
+double curvature_factor(double kappa) { return laws().curvature_factor({kappa}); }
+
+/// Tension of a segment of the paper.
+double tension(double f_mat, double kappa) { return F_am({f_mat, curvature_factor(kappa), kappa}, laws()); }
 
 CortexForce actomyosin(const std::function<std::vector<double>(const CortexState&)>& f_mat) {
   return [f_mat](const CortexState& c, std::uint32_t first, std::span<Vec2> force, DragSystem& A) {
-    add_actomyosin(c, {}, f_mat(c), time_step, first, force, A, factor());
+    add_actomyosin(c, f_mat(c), {}, time_step, first, force, A, laws());
   };
 }
 
@@ -52,21 +55,26 @@ TEST(CurvatureFactor, OfTheRoundBodyIsSmallerThanOfAConcaveFlank) {
 }
 
 TEST(Eq6, TakesTheLesserMaturationOfBothEnds) {
-  const ActomyosinParameters p;
-  EXPECT_DOUBLE_EQ(F_am(1.0, 1.0, -0.15, p, factor()), 0.6);
-  EXPECT_DOUBLE_EQ(F_am(0.2, 0.7, -0.15, p, factor()), 0.12);
-  EXPECT_DOUBLE_EQ(F_am(0.7, 0.2, -0.15, p, factor()), 0.12);
-  EXPECT_EQ(F_am(0.0, 1.0, -0.15, p, factor()), 0.0);
-  EXPECT_DOUBLE_EQ(F_am(0.2, 0.7, 0.2, p, factor()), 0.12 * curvature_factor(0.2));
+  const CortexState c = round_cortex(CellParameters{});
+  std::vector<double> f_mat(c.size(), 1.0);
+  f_mat[1] = 0.2;
+  f_mat[2] = 0.7;
+  const std::vector<double> kappa(c.size(), -0.15);
+  const auto of = [&](std::size_t i) { return F_am(strand(c, i, f_mat, kappa, laws(), {}), laws()); };
+  EXPECT_DOUBLE_EQ(of(5), 0.6);
+  EXPECT_DOUBLE_EQ(of(0), 0.12);
+  EXPECT_DOUBLE_EQ(of(1), 0.12);
+  EXPECT_DOUBLE_EQ(of(2), 0.42);
+  EXPECT_EQ(tension(0.0, -0.15), 0.0);
+  EXPECT_DOUBLE_EQ(tension(0.2, 0.2), 0.12 * curvature_factor(0.2));
 }
 
 TEST(Actomyosin, ContractsTheRoundCell) {
   const CellParameters cell;
-  const ActomyosinParameters p;
   const CortexState c = round_cortex(cell);
   const auto body = [](const CortexState& ring) { return std::vector<double>(ring.size(), 0.05); };
   const std::vector<Vec2> force = assemble(actomyosin(body), c).force;
-  const double inwards = 2.0 * F_am(0.05, 0.05, 1.0 / 15.0, p, factor()) * std::sin(std::numbers::pi / 235.0);
+  const double inwards = 2.0 * tension(0.05, 1.0 / 15.0) * std::sin(std::numbers::pi / 235.0);
   for (std::size_t i = 0; i < c.size(); ++i) EXPECT_LT((force[i] + inwards * c.x[i] / 15.0).norm(), 1e-13);
 }
 
@@ -84,14 +92,13 @@ TEST(Actomyosin, LeavesProtrusionsThatGrowOrMatureAlone) {
 }
 
 TEST(Actomyosin, UsesTheMeanCurvatureOfBothEnds) {
-  const ActomyosinParameters p;
   const CortexState c = wavy_cortex(small_cell());
   std::vector<double> f_mat(c.size(), 0.0);
   f_mat[5] = f_mat[6] = 0.8; // the tension of a single segment
   const std::vector<Vec2> force = assemble(actomyosin([&](const CortexState&) { return f_mat; }), c).force;
   const double kappa = 0.5 * (curvature(c, 5) + curvature(c, 6));
   EXPECT_GT(std::abs(curvature(c, 5) - kappa), 1e-3);
-  EXPECT_LT((force[5] - F_am(0.8, 0.8, kappa, p, factor()) * (c.x[6] - c.x[5]).normalized()).norm(), 1e-15);
+  EXPECT_LT((force[5] - tension(0.8, kappa) * (c.x[6] - c.x[5]).normalized()).norm(), 1e-15);
   EXPECT_LT((force[6] + force[5]).norm(), 1e-15);
 }
 
@@ -100,7 +107,6 @@ TEST(Actomyosin, ObeysTheLawsOfInternalForces) {
 }
 
 TEST(Actomyosin, IsImplicitAcrossEachSegment) { // time_step T/l on the relative velocity across it
-  const ActomyosinParameters p;
   const CortexState c = wavy_cortex(small_cell());
   const std::vector<double> f_mat = uneven_maturation(c);
   const std::vector<Vec2> v = stirred(c.size());
@@ -108,7 +114,7 @@ TEST(Actomyosin, IsImplicitAcrossEachSegment) { // time_step T/l on the relative
   for (std::size_t i = 0; i < c.size(); ++i) {
     const std::size_t j = c.next(i);
     const Vec2 e = c.x[j] - c.x[i];
-    const double T = F_am(f_mat[i], f_mat[j], 0.5 * (curvature(c, i) + curvature(c, j)), p, factor());
+    const double T = tension(std::min(f_mat[i], f_mat[j]), 0.5 * (curvature(c, i) + curvature(c, j)));
     expected += time_step * T / e.norm() * std::pow(cross(e, v[j] - v[i]) / e.norm(), 2);
   }
   EXPECT_NEAR(power(drag_force(assemble(actomyosin(uneven_maturation), c).A, v), v), expected, 1e-12 * expected);

@@ -44,7 +44,9 @@ TEST(Law, DefaultsAreNotChangedAndCanBeRead) {
     for (const std::string& known : {usual_text(law), std::string(*law.before)})
       EXPECT_EQ(law_meaning(law, with(key, known + " ")), known) << "finished runs have it in their fingerprints";
     EXPECT_NO_THROW(law_formula(law, {}, text_of(law, {}))) << law.path;
-    for (const LawVariable& argument : law.arguments) {
+    for (const LawVariable& argument :
+         law_variables(law, "x + y + time + density + pressure + f_degr + stiffness + l + "
+                            "age + t_mat + f_mat")) {
       EXPECT_LT(argument.low, argument.high) << law.path;
       EXPECT_LE(argument.low, argument.drawn_low) << law.path << " " << argument.name;
       EXPECT_LT(argument.drawn_low, argument.drawn_high) << law.path << " " << argument.name;
@@ -203,6 +205,16 @@ INSTANTIATE_TEST_SUITE_P(
         Bad{"disassembly_rate", "disassembly_rate", "there is no disassembly_rate"},
         Bad{"disassembly_rate", "exp(-F/F_c)", "did you mean F_cc?", "F_cc = 1 nN"},
         Bad{"polarization_rate", "r_pol*dt", "there is no dt"}, Bad{"polarization_rate", "rand()", "there is no rand"},
+        Bad{"polarization_rate", "r_pol*l", "there is no l; names here are angle, x, y, time, density"},
+        Bad{"initiation_rate", "r_prot*agee", "there is no agee"}, Bad{"maturation", "f_mat", "there is no f_mat"},
+        Bad{"fibre_stiffness", "1 + 0*time", "there is no time"},
+        Bad{"contraction", "F_am*densty", "did you mean density?"},
+        // units and values of arguments that laws share
+        Bad{"contraction", "f_mat*F_am*l", " is wanted"},
+        Bad{"maturation_force", "x > F_am ? F_am : F", "mixes units at character 1: x is "},
+        Bad{"contraction", "-F_am", "is -0.6 nN at any argument; allowed is >= 0 and <= 1000 nN"},
+        Bad{"adhesion_stiffness", "k_ad*(1 - stretch)", "is -18 nN/um at stretch = 10 um; allowed is >= 0"},
+        Bad{"disassembly_rate", "r_off_min*(1 - age/600)", "at age = 100000 s; allowed is >= 0"},
         // values
         Bad{"curvature_factor", "2", "is 2 at any argument; allowed is >= 0 and <= 1; min(1, ...)"},
         Bad{"curvature_factor", "kappa", "is -5 at kappa = -5 1/um; allowed is >= 0 and <= 1; max(0, ...)"},
@@ -385,7 +397,8 @@ TEST(LawUnits, OfStressesAndForcesAgreeByTheirFactor) {
 TEST(LawRanges, StandInThePageOfLaws) {
   const std::string page = read_file(std::string(MATRIGRATE_SOURCE_DIR) + "/docs/how-to/laws.md", std::size_t{1} << 20);
   for (const Row& law : law_rows())
-    for (const LawVariable& argument : law.arguments) {
+    for (const LawVariable& argument :
+         law_variables(law, "x y time density pressure f_degr stiffness l age t_mat f_mat")) {
       const std::string line =
           "`" + std::string(argument.name) + "` | " + range_text(argument) + " | " + std::string(argument.meaning);
       EXPECT_NE(page.find(line), std::string::npos) << law.path << ": " << line;
@@ -408,9 +421,11 @@ TEST(LawNotes, SayWhatIsDoubtful) {
 
 TEST(LawFaults, OfShortNamesListWhatThereIs) {
   Parameters p;
-  p.laws.disassembly_rate = "x*r_off_min";
+  p.laws.disassembly_rate = "z*r_off_min";
   const std::string fault = fault_of_law(p, *find_row("laws.disassembly_rate"));
-  EXPECT_NE(fault.find("there is no x; names here are F, f_mat, t, and symbols of parameters"), std::string::npos)
+  EXPECT_NE(fault.find("there is no z; names here are F, f_mat, t, x, y, time, density, pressure, f_degr, "
+                       "stiffness, l, age, t_mat, and symbols of parameters"),
+            std::string::npos)
       << fault;
 }
 

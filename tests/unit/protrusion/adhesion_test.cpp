@@ -22,7 +22,7 @@ Scene pulling(const Parameters& p) {
 Assembled adhesions(const Scene& s, const Parameters& p) {
   const std::vector<PointWeights> weights = anchor_weights(s.cell, s.ecm, p);
   return assemble(s.nodes(), [&](std::span<Vec2> force, DragSystem& A) {
-    add_adhesions(s.cell, s.ecm, p.adhesion, weights, time_step, s.first(), force, A);
+    add_adhesions(s.cell, s.ecm, p.adhesion, Laws(p), {}, weights, time_step, s.first(), force, A);
   });
 }
 
@@ -36,10 +36,10 @@ Law r_off(const AdhesionParameters& adhesion = {}) {
 } // namespace
 
 TEST(AdhesionForce, PullsOnlyBeyondItsRestLength) {
-  const AdhesionParameters p;
-  EXPECT_DOUBLE_EQ(adhesion_force(5.3, p), 0.6);
-  EXPECT_EQ(adhesion_force(5.0, p), 0.0);
-  EXPECT_EQ(adhesion_force(0.0, p), 0.0);
+  const Parameters p;
+  EXPECT_DOUBLE_EQ(adhesion_force(5.3, p.adhesion, Laws(p)), 0.6);
+  EXPECT_EQ(adhesion_force(5.0, p.adhesion, Laws(p)), 0.0);
+  EXPECT_EQ(adhesion_force(0.0, p.adhesion, Laws(p)), 0.0);
 }
 
 // Heck et al. 2020, Fig 4 (from Table 1): unloaded and loaded adhesions of full and half maturation.

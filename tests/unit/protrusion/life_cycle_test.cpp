@@ -55,9 +55,9 @@ TEST(Transition, GrowthThatFindsNoSolidStaysUnadhered) {
 TEST(Transition, MaturationGoesOnStepByStepAsTheForceAllows) {
   const Parameters p;
   Circumstances now = quiet(10.0);
-  now.force = 0.9 * step_force(2, p);
+  now.force = 0.9 * step_force({.steps = 2}, Laws(p));
   EXPECT_FALSE(transition(Maturing{d, site, 2}, now, p, time_step).changes);
-  now.force = step_force(2, p);
+  now.force = step_force({.steps = 2}, Laws(p));
   const auto next = expect_to<Maturing>(transition(Maturing{d, site, 2}, now, p, time_step));
   EXPECT_EQ(next.steps, 3);
   EXPECT_EQ(next.anchor, site);
@@ -69,7 +69,7 @@ TEST(Transition, AMaturationStepCountsFromWhenItsForceWasReached) {
   const Parameters p;
   Circumstances now = quiet(100.0);
   now.loading = 0.001;
-  now.force = step_force(2, p) + 0.002;
+  now.force = step_force({.steps = 2}, Laws(p)) + 0.002;
   const Transition change = transition(Maturing{d, site, 2}, now, p, 5.0);
   EXPECT_NEAR(change.waited, 2.0, 1e-9);
   EXPECT_NEAR(expect_to<Maturing>(change).last_step, 98.0, 1e-9);
@@ -90,7 +90,8 @@ TEST(Transition, TheSpeedOfRecoilIsThatOfTheTipTowardsItsBase) {
   Scene s = cell_in_matrix(p);
   add_protrusion(s, 50, Maturing{.direction = outward(s, 50), .anchor = 1.2 * s.cell.cortex.x[50]});
   s.cell.cortex.v[50] = -0.02 * outward(s, 50) + 0.5 * perpendicular(outward(s, 50));
-  const Circumstances now = circumstances(s.cell, s.cell.protrusions[0], s.ecm, {.step = 1, .t = 0.4}, p, time_step);
+  const Circumstances now =
+      circumstances(s.cell, s.cell.protrusions[0], s.ecm, {.step = 1, .t = 0.4}, p, time_step, Laws(p));
   EXPECT_NEAR(now.recoil, 0.02, 1e-15);
 }
 
@@ -162,18 +163,18 @@ TEST(Circumstances, TellTheForceTheSolidAheadAndADrawOfItsOwn) {
   s.now.t = 400.0;
   Protrusion& growing = add_protrusion(s, 0, Growing{d});
   growing.since = 0.0;
-  Circumstances now = circumstances(s.cell, s.cell.protrusions[0], s.ecm, s.now, p, time_step);
+  Circumstances now = circumstances(s.cell, s.cell.protrusions[0], s.ecm, s.now, p, time_step, Laws(p));
   EXPECT_NEAR(now.age, 400.0, 1e-5);
   EXPECT_GE(now.age, 400.0);
   EXPECT_LT((now.ahead - Vec2(20.0, 0.0)).norm(), 1e-9);
   EXPECT_GT(now.support, 0.5);
   EXPECT_EQ(now.force, 0.0);
   s.cell.protrusions[0].phase = Contracting{s.cell.cortex.x[0] + Vec2(5.2, 0.0), 1.0};
-  const Circumstances then = circumstances(s.cell, s.cell.protrusions[0], s.ecm, s.now, p, time_step);
+  const Circumstances then = circumstances(s.cell, s.cell.protrusions[0], s.ecm, s.now, p, time_step, Laws(p));
   EXPECT_NEAR(then.force, 0.4, 1e-9);
   EXPECT_EQ(then.draw, now.draw); // same step, same protrusion
   s.cell.protrusions[0].record.id = 2;
-  EXPECT_NE(circumstances(s.cell, s.cell.protrusions[0], s.ecm, s.now, p, time_step).draw, now.draw);
+  EXPECT_NE(circumstances(s.cell, s.cell.protrusions[0], s.ecm, s.now, p, time_step, Laws(p)).draw, now.draw);
 }
 
 TEST(UpdateProtrusions, WritesDownTheWholeLifeOfAProtrusion) {

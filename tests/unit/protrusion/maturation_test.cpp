@@ -13,28 +13,29 @@ constexpr double a_step = 0.4; // [s]
 } // namespace
 
 TEST(Maturation, ClimbsInTenStepsOfATenth) {
-  EXPECT_DOUBLE_EQ(maturing_f_mat(0), 0.1);
-  EXPECT_DOUBLE_EQ(maturing_f_mat(4), 0.5);
-  EXPECT_DOUBLE_EQ(maturing_f_mat(9), 1.0);
-  EXPECT_DOUBLE_EQ(maturing_f_mat(10), 1.0);
+  EXPECT_DOUBLE_EQ(maturing_f_mat(0, Laws({})), 0.1);
+  EXPECT_DOUBLE_EQ(maturing_f_mat(4, Laws({})), 0.5);
+  EXPECT_DOUBLE_EQ(maturing_f_mat(9, Laws({})), 1.0);
+  EXPECT_DOUBLE_EQ(maturing_f_mat(10, Laws({})), 1.0);
 }
 
 TEST(Maturation, AStepIsDoneAtNinetyEightPercentOfItsForce) {
   const Parameters p;
-  EXPECT_DOUBLE_EQ(step_force(0, p), 0.0588);
-  EXPECT_DOUBLE_EQ(step_force(4, p), 0.4 * 0.6 + 0.98 * 0.06);
+  EXPECT_DOUBLE_EQ(step_force({.steps = 0}, Laws(p)), 0.0588);
+  EXPECT_DOUBLE_EQ(step_force({.steps = 4}, Laws(p)), 0.4 * 0.6 + 0.98 * 0.06);
 }
 
 TEST(Maturation, PullsWithAsManyStrandsAsAsked) {
   Parameters p;
   p.adhesion.maturation_strands = 1.5;
-  EXPECT_DOUBLE_EQ(step_force(4, p), 1.5 * (0.4 * 0.6 + 0.98 * 0.06));
+  EXPECT_DOUBLE_EQ(step_force({.steps = 4}, Laws(p)), 1.5 * (0.4 * 0.6 + 0.98 * 0.06));
   p = small_matrix();
   p.adhesion.maturation_strands = 2.0;
   Scene s = cell_in_matrix(p);
   add_protrusion(s, 50, Maturing{.direction = {1.0, 0.0}, .anchor = 2.0 * s.cell.cortex.x[50], .steps = 2});
-  const Assembled a = assemble(
-      s.nodes(), [&](std::span<Vec2> force, DragSystem& A) { add_maturation(s.cell, p, a_step, s.first(), force, A); });
+  const Assembled a = assemble(s.nodes(), [&](std::span<Vec2> force, DragSystem& A) {
+    add_maturation(s.cell, p, Laws(p), {}, a_step, s.first(), force, A);
+  });
   EXPECT_NEAR(a.force[s.node(50)].x(), -2.0 * 0.3 * 0.6, 1e-12);
 }
 
@@ -45,7 +46,7 @@ TEST(Maturation, PinsAsManyParticlesOfTheBaseAsAsked) {
     Scene s = cell_in_matrix(p);
     add_protrusion(s, 50, Maturing{.direction = {1.0, 0.0}, .anchor = 2.0 * s.cell.cortex.x[50]});
     const Assembled a = assemble(s.nodes(), [&](std::span<Vec2> force, DragSystem& A) {
-      add_maturation(s.cell, p, a_step, s.first(), force, A);
+      add_maturation(s.cell, p, Laws(p), {}, a_step, s.first(), force, A);
     });
     for (std::size_t i = 0; i < s.cell.cortex.size(); ++i) {
       const bool on_base = (i >= 30 && i < 30U + pinned) || (i <= 70 && i > 70U - pinned);
@@ -57,35 +58,46 @@ TEST(Maturation, PinsAsManyParticlesOfTheBaseAsAsked) {
 TEST(Maturation, TheFirstStepWaitsUntilTheRecoilOfGrowthIsOver) {
   Parameters p;
   p.adhesion.rest_speed = 0.004;
-  EXPECT_FALSE(step_done(0, 0.06, 0.0041, p)) << "tip and matrix still spring back together";
-  EXPECT_TRUE(step_done(0, 0.06, 0.0039, p));
-  EXPECT_FALSE(step_done(0, 0.05, 0.0, p)) << "the adhesion does not bear the step yet";
-  EXPECT_TRUE(step_done(1, 0.12, 0.1, p)) << "later steps count by their force alone";
-  EXPECT_FALSE(step_done(max_maturation_steps, 1.0, 0.0, p));
+  EXPECT_FALSE(step_done({.steps = 0, .force = 0.06, .recoil = 0.0041}, p, Laws(p)))
+      << "tip and matrix still spring back together";
+  EXPECT_TRUE(step_done({.steps = 0, .force = 0.06, .recoil = 0.0039}, p, Laws(p)));
+  EXPECT_FALSE(step_done({.steps = 0, .force = 0.05, .recoil = 0.0}, p, Laws(p)))
+      << "the adhesion does not bear the step yet";
+  EXPECT_TRUE(step_done({.steps = 1, .force = 0.12, .recoil = 0.1}, p, Laws(p)))
+      << "later steps count by their force alone";
+  EXPECT_FALSE(step_done({.steps = max_maturation_steps, .force = 1.0, .recoil = 0.0}, p, Laws(p)));
   p.adhesion.rest_speed = 0.0;
-  EXPECT_TRUE(step_done(0, 0.06, 10.0, p)) << "at any speed";
+  EXPECT_TRUE(step_done({.steps = 0, .force = 0.06, .recoil = 10.0}, p, Laws(p))) << "at any speed";
 }
 
 TEST(Maturation, TellsHowLongAgoAStepWasDone) {
   const Parameters p;
-  const double F = step_force(2, p);
-  EXPECT_DOUBLE_EQ(time_since_done(2, F, 0.001, p, 5.0), 0.0);
-  EXPECT_NEAR(time_since_done(2, F + 0.003, 0.001, p, 5.0), 3.0, 1e-12);
-  EXPECT_EQ(time_since_done(2, F + 0.006, 0.001, p, 5.0), 0.0) << "it was not the force that it waited for";
-  EXPECT_EQ(time_since_done(2, F + 0.003, -0.001, p, 5.0), 0.0);
-  EXPECT_EQ(time_since_done(0, 0.07, 0.001, p, 5.0), 5.0) << "the first one waited for rest";
-  EXPECT_NEAR(time_since_done(0, step_force(0, p) + 0.003, 0.001, p, 5.0), 3.0, 1e-12);
+  const Laws laws(p);
+  const double F = step_force({.steps = 2}, laws);
+  const auto since_done = [&](int steps, double force, double loading) {
+    return time_since_done({.steps = steps, .force = force, .loading = loading}, 5.0, laws);
+  };
+  EXPECT_DOUBLE_EQ(since_done(2, F, 0.001), 0.0);
+  EXPECT_NEAR(since_done(2, F + 0.003, 0.001), 3.0, 1e-12);
+  EXPECT_EQ(since_done(2, F + 0.006, 0.001), 0.0) << "it was not the force that it waited for";
+  EXPECT_EQ(since_done(2, F + 0.003, -0.001), 0.0);
+  EXPECT_EQ(since_done(0, 0.07, 0.001), 5.0) << "the first one waited for rest";
+  EXPECT_NEAR(since_done(0, step_force({.steps = 0}, Laws(p)) + 0.003, 0.001), 3.0, 1e-12);
 }
 
 TEST(Maturation, EndsAtTheStepsDoneAndTheShareOfTheRunningOneByTime) {
-  const Parameters p;                                   // T_mat = 600 s
-  EXPECT_DOUBLE_EQ(final_f_mat(3, 450.0, 0.0, p), 0.4); // 150 s a step: the paper's 0.1 x 600/150
-  EXPECT_DOUBLE_EQ(final_f_mat(3, 525.0, 0.0, p), 0.1 * (3.0 + 75.0 / 175.0)); // 0.1 x 600/175
-  EXPECT_DOUBLE_EQ(final_f_mat(2, 364.0, 0.0, p), 0.3);   // the next one took longer: it counts as one
-  EXPECT_DOUBLE_EQ(final_f_mat(1, 5.0, 0.0, p), 0.2);     // and so after a single early step
-  EXPECT_DOUBLE_EQ(final_f_mat(0, 0.0, 0.0294, p), 0.05); // without a step: half of its force
-  EXPECT_DOUBLE_EQ(final_f_mat(0, 0.0, 0.0, p), 0.05);    // at least the body's
-  EXPECT_DOUBLE_EQ(final_f_mat(10, 500.0, 0.6, p), 1.0);
+  const Parameters p; // T_mat = 600 s
+  EXPECT_DOUBLE_EQ(final_f_mat({.steps = 3, .force = 0.0}, 450.0, p, Laws(p)),
+                   0.4); // 150 s a step: the paper's 0.1 x 600/150
+  EXPECT_DOUBLE_EQ(final_f_mat({.steps = 3, .force = 0.0}, 525.0, p, Laws(p)),
+                   0.1 * (3.0 + 75.0 / 175.0)); // 0.1 x 600/175
+  EXPECT_DOUBLE_EQ(final_f_mat({.steps = 2, .force = 0.0}, 364.0, p, Laws(p)),
+                   0.3); // the next one took longer: it counts as one
+  EXPECT_DOUBLE_EQ(final_f_mat({.steps = 1, .force = 0.0}, 5.0, p, Laws(p)), 0.2); // and so after a single early step
+  EXPECT_DOUBLE_EQ(final_f_mat({.steps = 0, .force = 0.0294}, 0.0, p, Laws(p)),
+                   0.05);                                                           // without a step: half of its force
+  EXPECT_DOUBLE_EQ(final_f_mat({.steps = 0, .force = 0.0}, 0.0, p, Laws(p)), 0.05); // at least the body's
+  EXPECT_DOUBLE_EQ(final_f_mat({.steps = 10, .force = 0.6}, 500.0, p, Laws(p)), 1.0);
 }
 
 TEST(Handover, TheBundlePullsTipAndBaseTogetherWithoutAResultant) {
@@ -93,8 +105,9 @@ TEST(Handover, TheBundlePullsTipAndBaseTogetherWithoutAResultant) {
   Scene s = cell_in_matrix(p);
   for (std::size_t i = 45; i <= 55; ++i) s.cell.cortex.x[i] *= 1.5;
   add_protrusion(s, 50, Contracting{2.0 * s.cell.cortex.x[50], 0.5, 0.2});
-  const Assembled a = assemble(
-      s.nodes(), [&](std::span<Vec2> force, DragSystem& A) { add_maturation(s.cell, p, a_step, s.first(), force, A); });
+  const Assembled a = assemble(s.nodes(), [&](std::span<Vec2> force, DragSystem& A) {
+    add_maturation(s.cell, p, Laws(p), {}, a_step, s.first(), force, A);
+  });
   EXPECT_LT(net_force(a.force).norm(), 1e-15);
   EXPECT_NEAR(a.force[s.node(30)].norm(), 0.1, 1e-12);
   EXPECT_NEAR(a.force[s.node(70)].norm(), 0.1, 1e-12);
@@ -160,8 +173,9 @@ TEST(Maturation, PullsTheCentreBackAndPinsTheBase) {
   const Vec2 d = outward(s, 50);
   add_protrusion(s, 50, Maturing{d, s.cell.cortex.x[50] + 5.0 * d, 2});
   add_protrusion(s, 150, Growing{outward(s, 150)});
-  const Assembled a = assemble(
-      s.nodes(), [&](std::span<Vec2> force, DragSystem& A) { add_maturation(s.cell, p, a_step, s.first(), force, A); });
+  const Assembled a = assemble(s.nodes(), [&](std::span<Vec2> force, DragSystem& A) {
+    add_maturation(s.cell, p, Laws(p), {}, a_step, s.first(), force, A);
+  });
   for (std::size_t i = 0; i < s.cell.cortex.size(); ++i) {
     const Vec2 expected = i == 50 ? Vec2(-0.3 * 0.6 * d) : Vec2(0.0, 0.0);
     EXPECT_LT((a.force[s.node(i)] - expected).norm(), 1e-15);

@@ -124,7 +124,7 @@ TEST(GrowthForce, IsAShareOfFProtAlongItsDirectionAndFadesAsTheNormalTurns) {
 
 TEST(AreaFactor, IsTheInverseAreaWhereANumberIsEnforced) {
   Parameters p;
-  const auto factor = [&](double area) { return Law("laws.growth_force", p)({area, 10.0, 200.0}); };
+  const auto factor = [&](double area) { return Law("laws.growth_force", p)({area, 10.0, 200.0, 0.05}); };
   EXPECT_EQ(factor(1.7), 1.0); // Eq. (10) is for a kept number alone
   p.protrusion.number = 2;
   EXPECT_EQ(factor(0.9), 1.0);
@@ -139,8 +139,10 @@ TEST(Growth, PushesOnlyTheTipsOfGrowingProtrusions) {
   Scene s = cell_in_matrix(p);
   add_protrusion(s, 30, Growing{outward(s, 30)});
   add_protrusion(s, 120, Contracting{2.0 * s.cell.cortex.x[120], 0.5});
-  std::vector<Vec2> force(s.nodes(), Vec2::Zero());
-  add_growth(s.cell, p.protrusion, 1.0, normals(s.cell.cortex), s.first(), force, 0.0, Law("laws.growth_force", p));
+  const std::vector<Vec2> force = assemble(s.nodes(), [&](std::span<Vec2> F, DragSystem& A) {
+                                    add_growth(s.cell, p.protrusion, 1.0, normals(s.cell.cortex), s.first(), F, A, 0.0,
+                                               Law("laws.growth_force", p));
+                                  }).force;
   const Vec2 sum = net_force(force);
   EXPECT_GT(sum.dot(outward(s, 30)), 0.99 * 0.32); // the tip is nearly flat
   EXPECT_LE(sum.norm(), 0.32);

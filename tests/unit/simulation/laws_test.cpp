@@ -42,6 +42,10 @@ std::vector<Parameters> sets() {
                                         "fibres.stiffening_strain=0.07",
                                         "actomyosin.curvature_optimum=0.1 1/um",
                                         "actomyosin.curvature_width=0.4 1/um",
+                                        "actomyosin.force=0.8 nN",
+                                        "adhesion.step_threshold=0.9",
+                                        "adhesion.maturation_strands=1.5",
+                                        "adhesion.stiffness=3 mN/m",
                                         "adhesion.r_off_min=1e-3 1/s",
                                         "adhesion.r_off_0=0.1 1/s",
                                         "adhesion.zeta_diss=80 1/nN",
@@ -63,8 +67,19 @@ TEST(LawsOfThePaper, AreItsEquations) {
     compare("disassembly_rate", p, [a = p.adhesion](const auto& at) {
       return a.r_off_min + a.r_off_0 * std::exp(-a.zeta_diss * at[0] / at[1]);
     });
-    compare("growth_force", p,
-            [&](const auto& at) { return p.protrusion.number > 0 ? 1.0 / std::max(1.0, at[0]) : 1.0; });
+    compare(
+        "growth_force", p, [&](const auto& at) { return p.protrusion.number > 0 ? 1.0 / std::max(1.0, at[0]) : 1.0; },
+        10);
+    compare(
+        "contraction", p, [&](const auto& at) { return at[0] * at[1] * p.actomyosin.force; }, 10);
+    compare(
+        "maturation_force", p,
+        [a = p.adhesion, F = p.actomyosin.force](const auto& at) {
+          return 0.1 * (at[0] + a.step_threshold) * a.maturation_strands * F;
+        },
+        10);
+    compare("maturation", p, [](const auto& at) { return std::min(1.0, 0.1 * at[0]); });
+    compare("adhesion_stiffness", p, [&](const auto&) { return p.adhesion.stiffness; });
     compare(
         "initiation_rate", p, [&](const auto&) { return p.protrusion.initiation_rate; }, 4);
     compare(
@@ -77,6 +92,45 @@ TEST(LawsOfThePaper, AreItsEquations) {
     compare("degradation_protrusion", p, [&](const auto& at) { return above(at[1], p.degradation.protrusion_rate); });
     compare("degradation_body", p, [&](const auto& at) { return above(at[1], p.degradation.body_rate); });
   }
+}
+
+/// The law of a key with another text.
+Law changed(const std::string& key, const std::string& text) {
+  return {"laws." + key, apply_overrides({}, std::vector{"laws." + key + "=" + text})};
+}
+
+TEST(Laws, HaveTheValuesThatAHandComputes) {
+  EXPECT_DOUBLE_EQ(changed("contraction", "f_mat*f_curv*F_am*exp(-t_mat/600)")({0.5, 0.8, 0.0, 0.0}, {.t_mat = 600.0}),
+                   0.5 * 0.8 * 0.6 * std::exp(-1.0));
+  EXPECT_DOUBLE_EQ(
+      changed("contraction", "f_mat*F_am*max(0, 1 - speed/0.12) + 0.001*l")({0.5, 1.0, 0.0, 0.03}, {.l = 12.0}),
+      0.5 * 0.6 * 0.75 + 0.012);
+  EXPECT_DOUBLE_EQ(
+      changed("maturation_force", "stiffness > 150 ? 0.02*(steps + 1) : 9")({3.0, 0.1, 50.0}, {.stiffness = 200.0}),
+      0.08);
+  EXPECT_DOUBLE_EQ(changed("maturation", "steps/(steps + 2)*f_degr")({3.0}, {.f_degr = 0.5}), 0.3);
+  EXPECT_DOUBLE_EQ(changed("adhesion_stiffness", "k_ad*(1 + stretch/0.5)")({0.25}), 3.0);
+  EXPECT_DOUBLE_EQ(changed("disassembly_rate", "r_off_min*(time > 3600 ? 2 : 1)")({0.1, 0.5, 60.0}, {.time = 4000.0}),
+                   2.0 * 2.78e-4);
+  EXPECT_DOUBLE_EQ(changed("polarization_rate", "r_pol*(x > y)")({0.3}, {.x = 2.0, .y = 1.0}), 1.1e-3);
+}
+
+TEST(Laws, KnowWhichOfThePlaceTheyUse) {
+  EXPECT_FALSE(changed("contraction", "f_mat*f_curv*F_am*0.5").uses_place());
+  const Law aged = changed("contraction", "f_mat*F_am*exp(-age/600)");
+  EXPECT_TRUE(aged.uses_place());
+  EXPECT_TRUE(aged.uses("age"));
+  EXPECT_FALSE(aged.uses("l"));
+  EXPECT_FALSE(aged.uses_matrix());
+  EXPECT_TRUE(changed("contraction", "f_mat*F_am*density").uses_matrix());
+  EXPECT_EQ(Laws(Parameters{}).contraction.uses_place(), false);
+}
+
+TEST(Laws, FallWithASpeedAsFastAsTheirSlope) {
+  const Law linear = changed("growth_force", "max(0, 1 - speed/0.1)");
+  EXPECT_NEAR(linear.fall(3, {1.0, 10.0, 60.0, 0.05}, {}), 10.0, 1e-5);
+  EXPECT_EQ(linear.fall(3, {1.0, 10.0, 60.0, 0.2}, {}), 0.0) << "it has fallen to 0";
+  EXPECT_EQ(changed("growth_force", "1 + abs(speed)").fall(3, {1.0, 10.0, 60.0, 0.05}, {}), 0.0) << "it rises";
 }
 
 std::string faults_in(const std::string& text, const std::vector<std::string>& overrides = {}) {
