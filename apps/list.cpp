@@ -47,6 +47,9 @@ int print_list(const ListArguments& options) {
   for (const Preset& preset : presets()) entries.emplace_back(preset.name, preset.description);
   print_entries("Presets", "matrigrate new FILE --preset NAME", entries);
   entries.clear();
+  for (const Preset& law : published_laws()) entries.emplace_back(law.name, law.description);
+  print_entries("\nPublished laws", "matrigrate new FILE --law NAME", entries);
+  entries.clear();
   for (const validation::Case& c : validation::cases()) entries.emplace_back(c.name, c.summary);
   print_entries("\nCases", "matrigrate validate NAME", entries);
   entries.clear();
@@ -58,7 +61,8 @@ int print_list(const ListArguments& options) {
 } // namespace
 
 void add_list(CLI::App& app, Action& chosen) {
-  CLI::App* verb = app.add_subcommand("list", "The presets, verification cases and studies that ship with the program");
+  CLI::App* verb = app.add_subcommand(
+      "list", "The presets, published laws, verification cases and studies that ship with the program");
   const auto options = std::make_shared<ListArguments>();
   auto* parameters =
       verb->add_flag("--parameters", options->parameters, "Instead: all parameters, as a Markdown table a section");

@@ -12,7 +12,9 @@
 
 #include <filesystem>
 #include <memory>
+#include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace matrigrate::apps {
@@ -22,23 +24,32 @@ namespace {
 struct NewArguments {
   std::string file;
   std::string preset = "baseline";
+  std::string law; ///< empty: none
   std::string schema;
 };
 
 constexpr const char* schema_file = "scenario.schema.json";
 
-/// The names of all presets, in lines of at most 100 characters.
-std::string preset_names() {
+/// The names of presets, in lines of at most 100 characters.
+std::string names_of(std::span<const Preset> all, std::string text) {
   constexpr std::size_t widest = 100;
-  std::string text = "The presets:";
   std::size_t width = text.size();
-  for (const Preset& preset : presets()) {
+  for (const Preset& preset : all) {
     width += preset.name.size() + 1;
     text += width > widest ? '\n' : ' ';
     text += preset.name;
     if (width > widest) width = preset.name.size();
   }
   return text;
+}
+
+/// @param kind  what it is, for the fault that there is none of that name
+const Preset& preset_among(const std::string& name, std::string_view kind, std::span<const Preset> all) {
+  if (const Preset* preset = find_preset(name, all)) return *preset;
+  std::vector<std::string> names;
+  for (const Preset& preset : all) names.emplace_back(preset.name);
+  throw UsageError(fmt::format("there is no {0} \"{1}\"{2}\nThe {0}s are: {3}", kind, excerpt(name),
+                               did_you_mean(nearest(name, names)), fmt::join(names, ", ")));
 }
 
 /// Writes the schema beside a scenario, unless it is there already or something else has its name.
@@ -62,7 +73,8 @@ void write_schema(const std::filesystem::path& scenario) {
 }
 
 int write_scenario(const NewArguments& options) {
-  const Preset& preset = preset_named(options.preset);
+  const bool of_law = !options.law.empty();
+  const Preset& preset = of_law ? preset_among(options.law, "law", published_laws()) : preset_named(options.preset);
   if (excerpt(options.schema, options.schema.size()) != options.schema)
     throw UsageError("--schema: the path holds a line break, a control character, or bytes that are not UTF-8");
   if (std::filesystem::exists(std::filesystem::symlink_status(options.file)))
@@ -70,31 +82,29 @@ int write_scenario(const NewArguments& options) {
                            + ": exists and is not overwritten; choose another name, or delete the file first");
   write_file(options.file, new_scenario(preset, options.schema.empty() ? schema_file : options.schema));
   if (options.schema.empty()) write_schema(options.file);
-  print(fmt::format("{}: written from the preset {}; next: matrigrate explain {}\n", options.file, preset.name,
-                    options.file));
+  print(fmt::format("{}: written from the {} {}; next: matrigrate explain {}\n", options.file,
+                    of_law ? "law" : "preset", preset.name, options.file));
   return done;
 }
 
 } // namespace
 
-const Preset& preset_named(const std::string& name) {
-  if (const Preset* preset = find_preset(name)) return *preset;
-  std::vector<std::string> names;
-  for (const Preset& preset : presets()) names.emplace_back(preset.name);
-  throw UsageError(fmt::format("there is no preset \"{}\"{}\nThe presets are: {}", excerpt(name),
-                               did_you_mean(nearest(name, names)), fmt::join(names, ", ")));
-}
+const Preset& preset_named(const std::string& name) { return preset_among(name, "preset", presets()); }
 
 void add_new(CLI::App& app, Action& chosen) {
   CLI::App* verb = app.add_subcommand("new", "Write a commented scenario file; never overwrites one");
   const auto options = std::make_shared<NewArguments>();
   verb->add_option("FILE", options->file, "The file to write, such as scenario.toml")->required();
-  verb->add_option("--preset", options->preset, "What to start from: a preset of `matrigrate list`")
-      ->capture_default_str();
+  auto* preset = verb->add_option("--preset", options->preset, "What to start from: a preset of `matrigrate list`")
+                     ->capture_default_str();
+  verb->add_option("--law", options->law, "Instead: a published law of `matrigrate list`, with its reference")
+      ->excludes(preset);
   verb->add_option("--schema", options->schema,
                    "The JSON schema that the first line names for editors, seen from FILE (default: "
                    "scenario.schema.json,\nwhich is then written beside FILE)");
-  verb->footer("")->footer([] { return preset_names(); }); // instead of the exit codes
+  verb->footer("")->footer([] {
+    return names_of(presets(), "The presets:") + "\n" + names_of(published_laws(), "The laws:");
+  }); // instead of the exit codes
   verb->callback([options, &chosen] { chosen = [options] { return write_scenario(*options); }; });
 }
 

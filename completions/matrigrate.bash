@@ -16,6 +16,7 @@ _matrigrate() {
   done
   case $verb:$previous in
   matrigrate_new:--preset) COMPREPLY=($(compgen -W "baseline second-closures soft stiff weak-contraction strong-contraction frequent-protrusions brief-adhesions long-protrusions sensitive-adhesions insensitive-adhesions fibrillar one-protrusion two-protrusions three-protrusions four-protrusions one-protrusion-fibres two-protrusions-fibres three-protrusions-fibres four-protrusions-fibres stiffness-gradient stiffness-step channel microtrack pillars walled-channel interface chemotaxis attractant-source openvt-migration openvt-chemotaxis-linear openvt-chemotaxis-half-normal openvt-chemotaxis-exponential haptotaxis contact-guidance curved-fibres two-cells fibroblast-fibrin ht1080-collagen mda-mb-231-collagen" -- "$cur")); return ;;
+  matrigrate_new:--law) COMPREPLY=(); return ;;
   matrigrate_new:--schema) _matrigrate_files -f; return ;;
   matrigrate_check:--set) COMPREPLY=(); return ;;
   matrigrate_explain:--set) COMPREPLY=(); return ;;
@@ -106,7 +107,7 @@ _matrigrate() {
   matrigrate)
     if [[ $cur == -* ]]; then COMPREPLY=($(compgen -W "--help --version" -- "$cur")); else COMPREPLY=($(compgen -W "new check explain run resume report open export diff study tracks list live info demo sample reproduce validate selftest" -- "$cur")); fi ;;
   matrigrate_new)
-    if [[ $cur == -* ]]; then COMPREPLY=($(compgen -W "--help --preset --schema" -- "$cur")); else _matrigrate_files -f; fi ;;
+    if [[ $cur == -* ]]; then COMPREPLY=($(compgen -W "--help --preset --law --schema" -- "$cur")); else _matrigrate_files -f; fi ;;
   matrigrate_check)
     if [[ $cur == -* ]]; then COMPREPLY=($(compgen -W "--help --set --json" -- "$cur")); else _matrigrate_files -f; fi ;;
   matrigrate_explain)

@@ -26,7 +26,7 @@ complete -c matrigrate -n '__matrigrate_at' -a export -d 'Write a run in other f
 complete -c matrigrate -n '__matrigrate_at' -a diff -d 'Compare two runs or two scenarios: parameters, read-outs, first difference'
 complete -c matrigrate -n '__matrigrate_at' -a study -d 'Many runs: plan, compute, collect and compare them'
 complete -c matrigrate -n '__matrigrate_at' -a tracks -d 'Read measured tracks of cells, and print their read-outs'
-complete -c matrigrate -n '__matrigrate_at' -a list -d 'The presets, verification cases and studies that ship with the program'
+complete -c matrigrate -n '__matrigrate_at' -a list -d 'The presets, published laws, verification cases and studies that ship with the program'
 complete -c matrigrate -n '__matrigrate_at' -a live -d 'Open the live page: a cell computed in the browser while you watch'
 complete -c matrigrate -n '__matrigrate_at' -a info -d 'Version, commit, compiler, libraries and CPU'
 complete -c matrigrate -n '__matrigrate_at' -a demo -d 'Simulate a cell for three hours, in about 20 s, and open its page'
@@ -40,6 +40,7 @@ complete -c matrigrate -n '__matrigrate_at' -l version -d 'Display program versi
 complete -c matrigrate -n '__matrigrate_at new' -F
 complete -c matrigrate -n '__matrigrate_at new' -s h -l help -d 'Print this help message and exit'
 complete -c matrigrate -n '__matrigrate_at new' -l preset -x -a 'baseline second-closures soft stiff weak-contraction strong-contraction frequent-protrusions brief-adhesions long-protrusions sensitive-adhesions insensitive-adhesions fibrillar one-protrusion two-protrusions three-protrusions four-protrusions one-protrusion-fibres two-protrusions-fibres three-protrusions-fibres four-protrusions-fibres stiffness-gradient stiffness-step channel microtrack pillars walled-channel interface chemotaxis attractant-source openvt-migration openvt-chemotaxis-linear openvt-chemotaxis-half-normal openvt-chemotaxis-exponential haptotaxis contact-guidance curved-fibres two-cells fibroblast-fibrin ht1080-collagen mda-mb-231-collagen' -d 'What to start from: a preset of `matrigrate list` (default: baseline)'
+complete -c matrigrate -n '__matrigrate_at new' -l law -x -d 'Instead: a published law of `matrigrate list`, with its reference'
 complete -c matrigrate -n '__matrigrate_at new' -l schema -r -F -d 'The JSON schema that the first line names for editors, seen from FILE (default: scenario.schema.json, which is then written beside FILE)'
 
 complete -c matrigrate -n '__matrigrate_at check' -F

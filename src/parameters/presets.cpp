@@ -143,10 +143,18 @@ std::span<const Preset> presets() {
   return all;
 }
 
-const Preset* find_preset(std::string_view name) {
-  const auto all = presets();
-  const auto preset = std::ranges::find(all, name, &Preset::name);
-  return preset == all.end() ? nullptr : &*preset;
+std::span<const Preset> published_laws() {
+  static const std::vector<Preset> all = [] {
+    std::vector<Preset> found;
+    for (const Template& file : law_files()) found.push_back(preset_of(file));
+    return found;
+  }();
+  return all;
+}
+
+const Preset* find_preset(std::string_view name, std::span<const Preset> among) {
+  const auto preset = std::ranges::find(among, name, &Preset::name);
+  return preset == among.end() ? nullptr : &*preset;
 }
 
 Parameters parameters_of(const Preset& preset) {

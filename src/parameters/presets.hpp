@@ -20,16 +20,20 @@ struct Preset {
 /// Those of the program, then the templates.
 std::span<const Preset> presets();
 
-/// A cell in a gel, with the source of each number in its comments: a file of scenarios/templates, which the program
-/// carries with it (cmake/shipped.cmake). The second line describes it.
+/// A scenario with the source of each number in its comments, which the program carries with it (cmake/shipped.cmake):
+/// a cell in a gel, of scenarios/templates, or a published law, of scenarios/laws. The second line describes it.
 struct Template {
   std::string_view name; ///< of the file, without its ending
   std::string_view text;
 };
 std::span<const Template> templates();
+std::span<const Template> law_files();
 
-/// @return the preset of that name, or null
-const Preset* find_preset(std::string_view name);
+/// The published laws, as presets.
+std::span<const Preset> published_laws();
+
+/// @return the preset of that name among presets(), or others, or null
+const Preset* find_preset(std::string_view name, std::span<const Preset> among = presets());
 
 Parameters parameters_of(const Preset& preset);
 

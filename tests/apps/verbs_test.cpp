@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <utility>
 
 namespace matrigrate {
 namespace {
@@ -61,6 +62,12 @@ TEST_F(Program, UsageErrors) {
   EXPECT_TRUE(contains(preset.err, "there is no preset \"sotf\"; did you mean soft?\nThe presets are: baseline, "))
       << preset.err;
   for (const Template& file : templates()) EXPECT_TRUE(contains(preset.err, std::string(file.name))) << preset.err;
+  const Ended law = run("new f.toml --law motor-cluch");
+  EXPECT_EQ(law.code, 2);
+  EXPECT_TRUE(
+      contains(law.err, "there is no law \"motor-cluch\"; did you mean motor-clutch?\nThe laws are: bell-slip-bond, "))
+      << law.err;
+  EXPECT_EQ(run("new f.toml --law motor-clutch --preset soft").code, 2) << "one of both";
   const Ended which = run("validate pach");
   EXPECT_EQ(which.code, 2);
   EXPECT_TRUE(contains(which.err, "did you mean patch?")) << which.err;
@@ -231,15 +238,20 @@ TEST_F(Program, CheckSpeaksJson) {
 
 TEST_F(Program, NewWritesTemplatesWithTheirSources) {
   ASSERT_GE(templates().size(), 3U);
+  ASSERT_GE(law_files().size(), 8U);
   const std::string help = run("new --help").out;
-  for (const Template& file : templates()) {
-    const std::string name(file.name);
-    ASSERT_EQ(run(fmt::format("new {0}.toml --preset {0}", name)).code, 0);
-    EXPECT_EQ(text_of(folder / (name + ".toml")),
-              "#:schema scenario.schema.json" + std::string(file.text.substr(file.text.find('\n'))));
-    EXPECT_EQ(run("check " + name + ".toml").code, 0) << name;
-    EXPECT_TRUE(contains(help, name)) << help;
-  }
+  const std::string list = run("list").out;
+  for (const auto& [option, files] : {std::pair("preset", templates()), std::pair("law", law_files())})
+    for (const Template& file : files) {
+      const std::string name(file.name);
+      const std::string written = fmt::format("{}-{}.toml", option, name);
+      ASSERT_EQ(run(fmt::format("new {} --{} {}", written, option, name)).code, 0);
+      EXPECT_EQ(text_of(folder / written),
+                "#:schema scenario.schema.json" + std::string(file.text.substr(file.text.find('\n'))));
+      EXPECT_EQ(run("check " + written).code, 0) << name;
+      EXPECT_TRUE(contains(help, name)) << help;
+      EXPECT_TRUE(contains(list, "\n  " + name + "  ")) << list;
+    }
 }
 
 TEST_F(Program, ListShowsWhatShips) {

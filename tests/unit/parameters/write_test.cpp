@@ -1,5 +1,7 @@
 #include "base/file.hpp"
 #include "parameters/assign.hpp"
+#include "parameters/laws/law.hpp"
+#include "parameters/laws/law_values.hpp"
 #include "parameters/read.hpp"
 #include "parameters/rules.hpp"
 #include "parameters/schema.hpp"
@@ -13,9 +15,11 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <functional>
 #include <random>
 #include <regex>
 #include <set>
+#include <span>
 #include <sstream>
 
 namespace matrigrate {
@@ -169,41 +173,64 @@ TEST(Write, PresetsAreGoodAndDiffer) {
 }
 
 TEST(Write, AScenarioReadsBackAsItsPreset) {
-  for (const Preset& preset : presets())
-    EXPECT_TRUE(same(parse_parameters(new_scenario(preset, "s.json"), "f.toml"), parameters_of(preset))) << preset.name;
+  for (const std::span<const Preset> all : {presets(), published_laws()})
+    for (const Preset& preset : all)
+      EXPECT_TRUE(same(parse_parameters(new_scenario(preset, "s.json"), "f.toml"), parameters_of(preset)))
+          << preset.name;
 }
 
-/// The comment above each value says where it is from, or that it is assumed. Only what a lab can measure may differ
-/// from the baseline, no closure.
-TEST(Write, EachValueOfATemplateHasItsSource) {
-  const std::regex source(R"([A-Z][A-Za-z-]+ et al\. (19|20)\d\d\b|\bassumed\b)");
+/// The comment above each value of a file says where it is from, or that it is assumed; formulas of laws need none.
+/// Only what `may_differ` tells of the section and the key differs from the baseline. How many values there are.
+std::size_t sourced_values(const Template& file, const std::function<bool(const std::string&)>& may_differ) {
+  const std::regex source(R"([A-Z][A-Za-z-]+( et al\.| and [A-Z][a-z]+)? (19|20)\d\d\b|\bassumed\b)");
+  std::istringstream lines{std::string(file.text)};
+  std::string section;
+  std::string comment; // that of the values below it, up to the next one or an empty line
+  bool has_value = false;
+  std::size_t values = 0;
+  for (std::string line; std::getline(lines, line);) {
+    const std::size_t equals = line.find(" = ");
+    if (line.starts_with("#")) {
+      comment = has_value ? line : comment + line;
+      has_value = false;
+    } else if (equals == std::string::npos) {
+      comment.clear();
+      if (line.starts_with("[")) section = line.substr(1, line.size() - 2);
+    } else if (has_value = true; section != "run" && section != "laws") { // whose integrator is numerics
+      EXPECT_TRUE(std::regex_search(comment, source)) << file.name << ": " << line;
+      EXPECT_TRUE(may_differ(section + "." + line.substr(0, equals))) << file.name << ": " << line;
+      ++values;
+    }
+  }
+  return values;
+}
+
+TEST(Write, EachValueOfATemplateHasItsSource) { // only what a lab can measure may differ, no closure
   const std::set<std::string> measured{"ecm.youngs_modulus",     "ecm.poissons_ratio",         "ecm.viscosity",
                                        "fibres.arrangement",     "fibres.direction_deg",       "fibres.stiffness",
                                        "fibres.onset",           "fibres.stiffening_strain",   "cell.radius",
                                        "cell.particles",         "actomyosin.force",           "protrusion.number",
                                        "protrusion.growth_time", "protrusion.initiation_rate", "adhesion.r_off_min"};
   for (const Template& file : templates()) {
-    std::istringstream lines{std::string(file.text)};
-    std::string section;
-    std::string comment; // that of the values below it, up to the next one or an empty line
-    bool has_value = false;
-    std::size_t values = 0;
-    for (std::string line; std::getline(lines, line);) {
-      const std::size_t equals = line.find(" = ");
-      if (line.starts_with("#")) {
-        comment = has_value ? line : comment + line;
-        has_value = false;
-      } else if (equals == std::string::npos) {
-        comment.clear();
-        if (line.starts_with("[")) section = line.substr(1, line.size() - 2);
-      } else if (has_value = true; section != "run") { // whose integrator is numerics
-        EXPECT_TRUE(std::regex_search(comment, source)) << file.name << ": " << line;
-        EXPECT_TRUE(measured.contains(section + "." + line.substr(0, equals))) << file.name << ": " << line;
-        ++values;
-      }
-    }
-    EXPECT_GE(values, 2U) << file.name;
+    EXPECT_GE(sourced_values(file, [&](const std::string& key) { return measured.contains(key); }), 2U) << file.name;
     EXPECT_EQ(std::string(file.text), committed(fmt::format("scenarios/templates/{}.toml", file.name)));
+  }
+}
+
+TEST(Write, EachConstantOfAPublishedLawHasItsSource) {
+  ASSERT_EQ(law_files().size(), published_laws().size());
+  for (const Template& file : law_files()) {
+    const auto of_gel = [](const std::string& key) {
+      return key.starts_with("laws.constants.") || key.starts_with("ecm.") || key.starts_with("fibres.");
+    };
+    EXPECT_GE(sourced_values(file, of_gel), 1U) << file.name;
+    EXPECT_TRUE(std::regex_search(std::string(file.text), std::regex(R"(\n# [A-Z].* (19|20)\d\d, .*, doi:10\..*\n)")))
+        << file.name << " names its paper";
+    const Parameters p = parse_parameters(file.text, std::string(file.name));
+    EXPECT_FALSE(changed_laws(p).empty()) << file.name;
+    EXPECT_TRUE(law_notes(p).empty()) << file.name << ": " << law_notes(p).front();
+    for (const Row* law : changed_laws(p)) EXPECT_EQ(fault_of_law_values(p, *law), "") << file.name;
+    EXPECT_EQ(std::string(file.text), committed(fmt::format("scenarios/laws/{}.toml", file.name)));
   }
 }
 
