@@ -31,7 +31,7 @@ const tracks = ask(core.tracks());
 
 // Laws: those of the paper written otherwise are the same to rounding; another one changes the run, and can come on the way.
 const laws = ask(core.laws());
-if (laws.length !== 10 || !laws.every(({ formula, arguments: names }) => formula && names.length > 0)) throw new Error(JSON.stringify(laws));
+if (laws.length !== 14 || !laws.every(({ formula, arguments: names }) => formula && names.length > 0)) throw new Error(JSON.stringify(laws));
 const reached = (changes) => {
   ask(core.start("", JSON.stringify(["run.integrator=adaptive", "run.seed=1", "ecm.fields.f_degr=abs(y) < 5 ? 0.5 : 1"])));
   const marchTo = (t) => {

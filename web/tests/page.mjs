@@ -222,6 +222,21 @@ for (const formula of ["exp(-(kappa/kappa_w)^2)", ""]) {
   assert.deepEqual([await law.inputValue(), await law.getAttribute("aria-invalid"), await page.locator(".fault").count()], [formula || paper, "false", 0]);
 }
 
+// Constants of one's own: a formula names them, with their units.
+const constants = page.locator("input[name='laws.constants']");
+for (const [input, text] of [[constants, "kappa_c = 0.3 1/um"], [law, "exp(-(kappa/kappa_c)^2)"]]) {
+  const changes = (await state(page)).scenario.changes.length;
+  await input.fill(text);
+  await input.press("Enter");
+  await until(page, (s) => s.scenario.changes.length > changes, "a constant that acts");
+  assert.deepEqual([await input.inputValue(), await page.locator(".fault").count()], [text, 0]);
+}
+await constants.fill("kappa_c = 0.3 parsec");
+await constants.press("Enter");
+await page.waitForSelector(".fault");
+assert.match(await page.locator(".fault").first().textContent(), /kappa_c.*parsec/s);
+await page.locator(".fault button").click();
+
 // What was saved is there again after the browser was closed.
 /** What must be the same after it; sums of positions and pressure of all moments of the film. */
 const standing = () => {

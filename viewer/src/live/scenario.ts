@@ -210,20 +210,25 @@ export function nameOf({ meaning, unit, arguments: names }: Law): string {
   return `${clause} (${names.join(", ")})${unit ? `, ${pretty(unit)}` : ""}`;
 }
 
-/** @param set  a law is to be another from now on */
+/** What a user writes beside the formulas: names for their numbers, each with its unit. */
+const constants = { path: "laws.constants", formula: "" };
+
+/** @param set  a law, or the constants, are to be another from now on */
 export function laws(set: (path: string, formula: string) => void): Laws {
   const rows = h("div", { class: "laws" });
   const element = h("details", { class: "formulas" }, h("summary", {}, "Laws as formulas"), rows, h("p", { class: "note" }, "Enter takes a formula; an empty one is the paper's. Lengths in \u00b5m, times in s, forces in nN, stresses in Pa."));
-  const inputs: { law: Law; input: HTMLInputElement }[] = [];
+  const inputs: { law: Pick<Law, "path" | "formula">; input: HTMLInputElement }[] = [];
+  const row = (law: Pick<Law, "path" | "formula">, name: string, title: string, placeholder = law.formula) => {
+    const input = h("input", { type: "text", name: law.path, spellcheck: "false", autocomplete: "off", placeholder, title });
+    input.addEventListener("change", () => set(law.path, input.value.trim() || law.formula));
+    inputs.push({ law, input });
+    rows.append(h("label", {}, h("span", {}, name), input));
+  };
   return {
     element,
     list(all) {
-      for (const law of all) {
-        const input = h("input", { type: "text", name: law.path, spellcheck: "false", autocomplete: "off", placeholder: law.formula, title: pretty(law.meaning) });
-        input.addEventListener("change", () => set(law.path, input.value.trim() || law.formula));
-        inputs.push({ law, input });
-        rows.append(h("label", {}, h("span", {}, pretty(nameOf(law))), input));
-      }
+      row(constants, "Constants of your own, first", "Names that the formulas below may use", "F_c = 0.05 nN, n = 2");
+      for (const law of all) row(law, pretty(nameOf(law)), pretty(law.meaning));
     },
     show(settings, refused) {
       for (const { law, input } of inputs) {
