@@ -11,7 +11,7 @@ budget = {
     "src/fields": 2858,
     "src/statistics": 729,
     "src/tracks": 4027,
-    "src/parameters": 5423,
+    "src/parameters": 5425,
     "src/model": 11143,
     "src/run": 10548,
     "src/validation": 2834,
