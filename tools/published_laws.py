@@ -94,7 +94,7 @@ def section(file):
     title, reference, why = comments[0].removesuffix(" (law)."), comments[1], " ".join(comments[2:])
     doi = reference[reference.index("doi:") + 4:].rstrip(".")
     reference = f"[{reference[:reference.index(', doi:')]}](https://doi.org/{doi})"
-    return f"### {file.stem}\n\n{title}. {reference}. {why}\n\n```toml\n{text[text.index('[laws]'):]}```\n"
+    return f"### {file.stem}\n\n{title}. {reference}. {why}\n\n```toml title=\"{file.name}\"\n{text[text.index('[laws]'):]}```\n"
 
 
 def page_text():
