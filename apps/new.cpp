@@ -12,6 +12,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -24,7 +25,7 @@ namespace {
 struct NewArguments {
   std::string file;
   std::string preset = "baseline";
-  std::string law; ///< empty: none
+  std::optional<std::string> law;
   std::string schema;
 };
 
@@ -73,8 +74,8 @@ void write_schema(const std::filesystem::path& scenario) {
 }
 
 int write_scenario(const NewArguments& options) {
-  const bool of_law = !options.law.empty();
-  const Preset& preset = of_law ? preset_among(options.law, "law", published_laws()) : preset_named(options.preset);
+  const Preset& preset =
+      options.law ? preset_among(*options.law, "law", published_laws()) : preset_named(options.preset);
   if (excerpt(options.schema, options.schema.size()) != options.schema)
     throw UsageError("--schema: the path holds a line break, a control character, or bytes that are not UTF-8");
   if (std::filesystem::exists(std::filesystem::symlink_status(options.file)))
@@ -83,7 +84,7 @@ int write_scenario(const NewArguments& options) {
   write_file(options.file, new_scenario(preset, options.schema.empty() ? schema_file : options.schema));
   if (options.schema.empty()) write_schema(options.file);
   print(fmt::format("{}: written from the {} {}; next: matrigrate explain {}\n", options.file,
-                    of_law ? "law" : "preset", preset.name, options.file));
+                    options.law ? "law" : "preset", preset.name, options.file));
   return done;
 }
 

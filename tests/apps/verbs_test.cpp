@@ -68,6 +68,7 @@ TEST_F(Program, UsageErrors) {
       contains(law.err, "there is no law \"motor-cluch\"; did you mean motor-clutch?\nThe laws are: bell-slip-bond, "))
       << law.err;
   EXPECT_EQ(run("new f.toml --law motor-clutch --preset soft").code, 2) << "one of both";
+  EXPECT_EQ(run("new f.toml --law ''").code, 2);
   const Ended which = run("validate pach");
   EXPECT_EQ(which.code, 2);
   EXPECT_TRUE(contains(which.err, "did you mean patch?")) << which.err;
