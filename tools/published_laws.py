@@ -1,9 +1,11 @@
 #!/usr/bin/env python3
-"""Runs each published law, and its scenario without it, for six hours with eight seeds: published_laws.py PROGRAM FOLDER
+"""Runs each published law, and its scenario without it, for six hours with eight seeds:
+    published_laws.py PROGRAM FOLDER [RUNS AT A TIME]
 
 Runs stand in FOLDER; one that is there is not computed again. Writes docs/validation/published-laws.csv, a row a run.
 Then, and alone without arguments, it writes what stands between the two marks of docs/how-to/published-laws.md: the laws
 of scenarios/laws, and the table of that file."""
+import concurrent.futures
 import csv
 import json
 import pathlib
@@ -41,17 +43,23 @@ def folder_of(folder, name, seed):
     return folder / f"{name.replace(', ', '-')}-{seed}"
 
 
-def compute(program, folder):
+def compute(program, folder, jobs):
     folder.mkdir(parents=True, exist_ok=True)
-    for seed in range(1, 9):
-        for name, text in scenarios()[0].items():
-            run = folder_of(folder, name, seed)
-            if (run / "summary.json").exists():
-                continue
-            file = run.with_suffix(".toml")
-            file.write_text(text, encoding="utf-8")
-            settings = [word for setting in quiet for word in ("--set", setting)]
-            subprocess.run([program, "run", file, "--seed", str(seed), "-o", run, "--quiet", *settings], check=False)
+    settings = [word for setting in quiet for word in ("--set", setting)]
+
+    def one(seed, name, text):
+        run = folder_of(folder, name, seed)
+        if (run / "summary.json").exists():
+            return
+        file = run.with_suffix(".toml")
+        file.write_text(text, encoding="utf-8")
+        fresh = ["run", file, "--seed", str(seed), "-o", run, *settings]
+        subprocess.run([program, *(["resume", run] if run.exists() else fresh), "--quiet"], check=False)
+
+    with concurrent.futures.ThreadPoolExecutor(jobs) as pool:
+        for seed in range(1, 9):
+            for name, text in scenarios()[0].items():
+                pool.submit(one, seed, name, text)
 
 
 def collect(folder):
@@ -106,7 +114,7 @@ def page_text():
 
 
 if __name__ == "__main__":
-    if len(sys.argv) == 3:
-        compute(sys.argv[1], pathlib.Path(sys.argv[2]))
+    if len(sys.argv) >= 3:
+        compute(sys.argv[1], pathlib.Path(sys.argv[2]), int(sys.argv[3]) if len(sys.argv) > 3 else 1)
         collect(pathlib.Path(sys.argv[2]))
     page.write_text(page_text(), encoding="utf-8")
