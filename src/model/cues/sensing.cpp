@@ -13,17 +13,20 @@ namespace matrigrate {
 
 namespace {
 
-/// Calls with_pair(i, k, W) for all particles i of the cortex and particles k of the matrix near it.
+/// Calls with_pair(i, k, W) for all particles i of the cortex and particles k of the matrix near it with f > above.
 template <class WithPair>
-void each_near(const CortexState& c, const EcmState& ecm, const Parameters& p, const WithPair& with_pair) {
+void each_near(const CortexState& c, const EcmState& ecm, const Parameters& p, double above,
+               const WithPair& with_pair) {
   const Kernel kernel(p.ecm.smoothing_length);
   const double reach2 = kernel.support() * kernel.support();
   const SegmentGrid grid(c, kernel.support());
-  for (const std::uint32_t k : grid.candidates(ecm.x))
+  for (const std::uint32_t k : grid.candidates(ecm.x)) {
+    if (ecm.f[k] <= above) continue;
     for (const std::uint32_t i : grid.near(ecm.x[k])) { // segment i begins at particle i
       const double r2 = (ecm.x[k] - c.x[i]).squaredNorm();
       if (r2 < reach2) with_pair(i, k, kernel.W(std::sqrt(r2)));
     }
+  }
 }
 
 /// Weighted sums over the matrix around a particle of the cortex.
@@ -45,7 +48,7 @@ struct Surroundings {
 
 std::vector<Surroundings> surroundings(const CortexState& c, const EcmState& ecm, const Parameters& p) {
   std::vector<Surroundings> all(c.size());
-  each_near(c, ecm, p, [&](std::uint32_t i, std::uint32_t k, double W) { all[i].add(W, ecm, k, p); });
+  each_near(c, ecm, p, -1.0, [&](std::uint32_t i, std::uint32_t k, double W) { all[i].add(W, ecm, k, p); });
   return all;
 }
 
@@ -66,12 +69,11 @@ std::vector<LawPlace> places_along(const CortexState& c, const EcmState& ecm, co
   for (std::size_t i = 0; i < c.size(); ++i) places[i] = {.x = c.x[i].x(), .y = c.x[i].y(), .time = time};
   if (!matrix) return places;
   struct Sums {
-    double all = 0.0, solid = 0.0, density = 0.0, stiffness = 0.0, pressure = 0.0;
+    double solid = 0.0, density = 0.0, stiffness = 0.0, pressure = 0.0;
   };
   std::vector<Sums> sums(c.size());
-  each_near(c, ecm, p, [&](std::uint32_t i, std::uint32_t k, double W) {
+  each_near(c, ecm, p, 0.0, [&](std::uint32_t i, std::uint32_t k, double W) {
     const double solid = W * ecm.f[k], E = solid * ecm.stiffness(k);
-    sums[i].all += W;
     sums[i].solid += solid;
     sums[i].density += solid * ecm.rho[k];
     sums[i].stiffness += E;
@@ -81,7 +83,7 @@ std::vector<LawPlace> places_along(const CortexState& c, const EcmState& ecm, co
   for (std::size_t i = 0; i < c.size(); ++i) {
     if (sums[i].solid <= 0.0) continue;
     const double share = 1.0 / sums[i].solid;
-    places[i].f_degr = sums[i].solid / sums[i].all;
+    places[i].f_degr = std::min(1.0, ecm.V0 * sums[i].solid);
     places[i].density = share * sums[i].density;
     places[i].stiffness = in_pascals * p.ecm.youngs_modulus * share * sums[i].stiffness;
     places[i].pressure = in_pascals * moduli(p.ecm).K * share * sums[i].pressure;
