@@ -116,6 +116,8 @@ std::string laws_text(const Parameters& p) {
   for (const Row* law : changed_laws(p)) {
     text += fmt::format("\n{} = {}\n{}{}; * here, . by default\n", law->path, value_text(*law, p), law->description,
                         law->unit == "1" ? "" : fmt::format(", in {}", law->unit));
+    if (const std::string constants = constants_of(*law, p); !constants.empty())
+      text += fmt::format("where {}\n", constants);
     text += "checked, on a grid, over";
     const std::vector<LawVariable> variables = law_variables(*law, text_of(*law, p));
     for (const LawVariable& argument : variables)

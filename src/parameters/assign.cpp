@@ -1,24 +1,23 @@
 #include "parameters/assign.hpp"
 
 #include "parameters/document.hpp"
+#include "parameters/laws/constants.hpp"
 #include "parameters/nearest.hpp"
 
 #include <fmt/format.h>
 
 #include <cmath>
-#include <sstream>
 #include <stdexcept>
-#include <utility>
 
 namespace matrigrate {
 
 namespace {
 
-using Real = double& (*)(Parameters&);
 using Integer = int& (*)(Parameters&);
 using Large = std::uint64_t& (*)(Parameters&);
 using Flag = bool& (*)(Parameters&);
 using Text = std::string& (*)(Parameters&);
+using Constants = std::vector<LawConstant>& (*)(Parameters&);
 
 /// The default, as an example of what can be written.
 std::string example(const Row& row) { return value_text(row, Parameters{}); }
@@ -106,7 +105,8 @@ std::string assign_real(const Row& row, const Given& given, double& parameter) {
     } catch (const std::invalid_argument&) {
       return out_of_range(row, t.shown); // beyond any double
     }
-    if (!within(row.range, value, units::to_internal(row.range.low, unit), units::to_internal(row.range.high, unit)))
+    if (!std::isinf(row.range.low)
+        && !within(row.range, value, units::to_internal(row.range.low, unit), units::to_internal(row.range.high, unit)))
       return out_of_range(row, t.shown);
     parameter = value;
     return {};
@@ -161,6 +161,17 @@ std::string assign_text(const Row& row, const Given& given, std::string& paramet
   return {};
 }
 
+std::string assign_constants(const Row& row, const Given& given, std::vector<LawConstant>& constants) {
+  const auto* text = std::get_if<std::string>(&given.value);
+  if (text == nullptr) return fmt::format("is {}; write {}, in quotes", given.type, allowed_text(row));
+  try {
+    constants = constants_in(*text);
+    return {};
+  } catch (const std::invalid_argument& error) {
+    return error.what();
+  }
+}
+
 std::string assign_choice(const Row& row, const Given& given, const Choice& choice, Parameters& p) {
   const auto* name = std::get_if<std::string>(&given.value);
   if (name == nullptr) return fmt::format("is {}; write {}", given.type, allowed_text(row));
@@ -177,11 +188,13 @@ std::string assign_choice(const Row& row, const Given& given, const Choice& choi
 } // namespace
 
 std::string assign(const Row& row, const Given& given, Parameters& p) {
-  if (const auto* real = std::get_if<Real>(&row.member)) return assign_real(row, given, (*real)(p));
+  if (double* real = real_of(row, p)) return assign_real(row, given, *real);
+  if (std::holds_alternative<OneConstant>(row.member)) return unknown_constant(row.path, p);
   if (const auto* integer = std::get_if<Integer>(&row.member)) return assign_whole(row, given, (*integer)(p));
   if (const auto* large = std::get_if<Large>(&row.member)) return assign_whole(row, given, (*large)(p));
   if (const auto* flag = std::get_if<Flag>(&row.member)) return assign_flag(row, given, (*flag)(p));
   if (const auto* text = std::get_if<Text>(&row.member)) return assign_text(row, given, (*text)(p));
+  if (const auto* constants = std::get_if<Constants>(&row.member)) return assign_constants(row, given, (*constants)(p));
   return assign_choice(row, given, std::get<Choice>(row.member), p);
 }
 
@@ -214,23 +227,6 @@ Given given_by(const toml::node& node) {
   else if (const auto* text = node.as_string())
     given.value = text->get();
   return given;
-}
-
-Given given_for(const Row& row, const toml::node& node) {
-  const toml::table* names = node.as_table();
-  if (kind(row) != Kind::constants || names == nullptr) return given_by(node);
-  std::string text;
-  for (const auto& [name, value] : *names) {
-    std::ostringstream number;
-    if (const auto* quantity = value.as_string())
-      number << quantity->get();
-    else if (value.is_number())
-      value.visit([&](const auto& typed) { number << typed; });
-    else
-      number << type_of(value);
-    text += fmt::format("{}{} = {}", text.empty() ? "" : ", ", name.str(), number.str());
-  }
-  return {std::move(text), "a table"};
 }
 
 } // namespace matrigrate

@@ -15,9 +15,9 @@ Judged judged(std::string_view path, const Given& value) {
   if (row == nullptr) return {unknown_name(path, false)};
   Parameters p;
   std::string fault = assign(*row, value, p);
-  const auto* member = std::get_if<double& (*)(Parameters&)>(&row->member);
-  if (!fault.empty() || member == nullptr) return {std::move(fault)};
-  return {{}, units::number_in((*member)(p), unit_of(*row))};
+  const double* real = real_of(*row, p);
+  if (!fault.empty() || real == nullptr) return {std::move(fault)};
+  return {{}, units::number_in(*real, unit_of(*row))};
 }
 
 std::string unknown_name(std::string_view path, bool section) {

@@ -205,6 +205,15 @@ struct CueParameters {
   double uptake = 0.0;         ///< of the attractant inside cells [1/s]
 };
 
+struct Row;
+
+/// A number of the user's own that laws may name (parameters/laws/constants.hpp).
+struct LawConstant {
+  std::string name;
+  double value = 0.0;             ///< in internal units
+  std::shared_ptr<const Row> row; ///< its unit is that of formulas, 1 of a plain number; shared by copies
+};
+
 /// Laws as formulas; parameters/laws/law.hpp says what they may contain.
 struct LawParameters {
   std::string fibre_stiffness = "eps < 0 ? 0 : eps <= eps_s ? 1 : exp((eps - eps_s)/d_s)"; ///< over k_0, Eq. 5 [-]
@@ -221,7 +230,7 @@ struct LawParameters {
   std::string degradation_tip = "r_degr_tip";                                   ///< [1/s]
   std::string degradation_protrusion = "p > p_th_degr ? r_degr_prot : 0";       ///< [1/s]
   std::string degradation_body = "p > p_th_degr ? r_degr_body : 0";             ///< [1/s]
-  std::string constants; ///< names of the user's own: "F_c = 0.1 nN, n = 2"
+  std::vector<LawConstant> constants;                                           ///< by their names
 };
 
 struct OutputParameters {

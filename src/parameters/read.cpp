@@ -7,6 +7,7 @@
 #include "parameters/document.hpp"
 #include "parameters/fault_list.hpp"
 #include "parameters/gone.hpp"
+#include "parameters/laws/constants.hpp"
 #include "parameters/nearest.hpp"
 #include "parameters/schema.hpp"
 #include "parameters/version.hpp"
@@ -100,6 +101,7 @@ bool names_directions(const std::string& text) {
 constexpr std::size_t largest_file = std::size_t{1} << 20;
 constexpr std::size_t longest_override = 4096;
 const std::string command_line = "--set";
+const std::string all_constants = "laws.constants";
 
 /// Where a value was given.
 struct Place {
@@ -267,7 +269,7 @@ private:
   }
 
   void complain(const Place& place, const std::string& key, std::string message, FaultList::Hint hint = {}) {
-    m_blamed.insert(key);
+    m_blamed.insert(constant_name(key).empty() ? key : all_constants);
     m_faults.add({place.file, place.line, place.column, excerpt(key, 80), std::move(message)}, std::move(hint));
   }
 
@@ -312,16 +314,19 @@ private:
 
   void take(const std::string& path, const toml::node& node, const Place& place) {
     if (path == "cells") return take_cells(node, place);
-    const Row* row = find_row(path);
+    const Row* row = find_row(path, m_parameters);
     const Gone* has_gone = find_gone(path);
+    if (row == nullptr && !constant_name(path).empty())
+      return complain(place, path, unknown_constant(path, m_parameters));
     if (row == nullptr && has_gone == nullptr) return unknown(path, false, place);
-    m_given.insert_or_assign(path, place);
+    m_given.insert_or_assign(constant_name(path).empty() ? path : all_constants, place);
     if (has_gone != nullptr) {
       if (m_resolved && place.file != command_line) return keep_gone(*has_gone, gone_value(node), place);
       if (std::string fault = fault_of_gone(*has_gone, node); !fault.empty()) complain(place, path, std::move(fault));
       return;
     }
-    std::string fault = assign(*row, given_for(*row, node), m_parameters);
+    if (kind(*row) == Kind::constants && node.is_table()) return take_constants(*node.as_table(), place);
+    std::string fault = assign(*row, given_by(node), m_parameters);
     if (fault.empty() && kind(*row) == Kind::field)
       fault = complete_field(std::get<std::string& (*)(Parameters&)>(row->member)(m_parameters),
                              place.file == command_line ? "" : std::filesystem::path(place.file).parent_path(),
@@ -330,6 +335,15 @@ private:
         && names_directions(std::get<std::string& (*)(Parameters&)>(row->member)(m_parameters)))
       fault = "direction= takes the direction of fibres from a picture, which is for fibres.field.direction_deg";
     if (!fault.empty()) complain(place, path, fault);
+  }
+
+  /// All constants of the laws.
+  void take_constants(const toml::table& table, const Place& place) {
+    m_parameters.laws.constants.clear();
+    for (const auto& [name, node] : table)
+      if (std::string fault = define_constant(name.str(), node, m_parameters); !fault.empty())
+        complain(place.file == command_line ? place : place_of(place.file, node.source()),
+                 fmt::format("{}.{}", all_constants, name.str()), std::move(fault));
   }
 
   /// A value that the file means without saying it. @param value  as it stands in a scenario file

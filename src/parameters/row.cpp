@@ -1,10 +1,13 @@
+#include "parameters/laws/constants.hpp"
 #include "parameters/laws/law_names.hpp"
+#include "parameters/laws/law_units.hpp"
 #include "parameters/schema.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 #include <numbers>
 
 namespace matrigrate {
@@ -24,6 +27,7 @@ using Integer = int& (*)(Parameters&);
 using Large = std::uint64_t& (*)(Parameters&);
 using Flag = bool& (*)(Parameters&);
 using Text = std::string& (*)(Parameters&);
+using Constants = std::vector<LawConstant>& (*)(Parameters&);
 
 std::string quantity_text(const Row& row, double value) {
   if (row.unit == "rad")
@@ -32,13 +36,12 @@ std::string quantity_text(const Row& row, double value) {
   if (kind(row) != Kind::quantity) return fmt::format("{}", value);
   const std::string number = units::from_internal(value, units::parse_unit(row.unit));
   if (!number.empty()) return fmt::format("\"{} {}\"", number, row.unit);
+  if (std::holds_alternative<OneConstant>(row.member)) { // um, s and nN hold every double
+    const units::Unit internal{.dimension = units::parse_unit(row.unit).dimension};
+    return fmt::format("\"{} {}\"", units::from_internal(value, internal), formula_unit(internal.dimension, 0));
+  }
   // Hours and the like do not hold every double; seconds do.
   return fmt::format("\"{} s\"", units::from_internal(value, units::parse_unit("s")));
-}
-
-Kind kind_of_text(const Row& row) {
-  if (section_of(row) != "laws") return Kind::field;
-  return key_of(row) == "constants" ? Kind::constants : Kind::law;
 }
 
 /// "a formula in F, f_mat and t of values ".
@@ -47,17 +50,6 @@ std::string formula_text(const Row& law) {
   for (std::size_t k = 0; k < law.arguments.size(); ++k)
     text += fmt::format("{}{}", k == 0 ? "" : k + 1 < law.arguments.size() ? ", " : " and ", law.arguments[k].name);
   return text + " of values ";
-}
-
-/// A text as a basic string of TOML, which is one of JSON as well.
-std::string in_quotes(std::string_view text) {
-  std::string quoted = "\"";
-  for (const char c : text) {
-    if (c == '"' || c == '\\') quoted += '\\';
-    const auto code = static_cast<unsigned char>(c);
-    quoted += code < 0x20 || code == 0x7f ? fmt::format("\\u{:04x}", code) : std::string(1, c);
-  }
-  return quoted + '"';
 }
 
 /// 1e7 rather than 10000000 or 1e+07.
@@ -76,12 +68,27 @@ const Row* find_row(std::string_view path) {
   return row == rows.end() ? nullptr : &*row;
 }
 
+const Row* find_row(std::string_view path, const Parameters& p) {
+  if (const Row* row = find_row(path)) return row;
+  const LawConstant* constant = find_constant(constant_name(path), p);
+  return constant == nullptr ? nullptr : constant->row.get();
+}
+
+double* real_of(const Row& row, Parameters& p) {
+  if (const auto* real = std::get_if<Real>(&row.member)) return &(*real)(p);
+  const auto* one = std::get_if<OneConstant>(&row.member);
+  const auto found = std::ranges::find(p.laws.constants, one == nullptr ? "" : one->name, &LawConstant::name);
+  return found == p.laws.constants.end() ? nullptr : &found->value;
+}
+
 Kind kind(const Row& row) {
   const bool angle = row.unit == "deg" || row.unit == "rad";
   const Kind real = angle ? Kind::angle : row.unit == "1" ? Kind::ratio : Kind::quantity;
   return std::visit(Match{[&](Real) { return real; }, [](Integer) { return Kind::integer; },
                           [](Large) { return Kind::integer; }, [](Flag) { return Kind::boolean; },
-                          [&](Text) { return kind_of_text(row); }, [](const Choice&) { return Kind::choice; }},
+                          [&](Text) { return section_of(row) == "laws" ? Kind::law : Kind::field; },
+                          [](const Choice&) { return Kind::choice; }, [](Constants) { return Kind::constants; },
+                          [&](const OneConstant&) { return real; }},
                     row.member);
 }
 
@@ -91,6 +98,16 @@ std::string_view section_of(const Row& row) { return row.path.substr(0, row.path
 
 std::string_view key_of(const Row& row) { return row.path.substr(row.path.rfind('.') + 1); }
 
+std::string in_quotes(std::string_view text) {
+  std::string quoted = "\"";
+  for (const char c : text) {
+    if (c == '"' || c == '\\') quoted += '\\';
+    const auto code = static_cast<unsigned char>(c);
+    quoted += code < 0x20 || code == 0x7f ? fmt::format("\\u{:04x}", code) : std::string(1, c);
+  }
+  return quoted + '"';
+}
+
 std::string value_text(const Row& row, const Parameters& parameters) {
   Parameters p = parameters; // the table's accessors give access to write
   return std::visit(Match{[&](Real member) { return quantity_text(row, member(p)); },
@@ -98,13 +115,18 @@ std::string value_text(const Row& row, const Parameters& parameters) {
                           [&](Large member) { return fmt::format("{}", member(p)); },
                           [&](Flag member) { return fmt::format("{}", member(p)); },
                           [&](Text member) { return in_quotes(member(p)); },
-                          [&](const Choice& c) { return fmt::format("\"{}\"", c.names[c.index(p)]); }},
+                          [&](const Choice& c) { return fmt::format("\"{}\"", c.names[c.index(p)]); },
+                          [&](Constants) { return in_quotes(constants_text(p)); },
+                          [&](const OneConstant&) {
+                            const double* value = real_of(row, p); // of none an example
+                            return quantity_text(row,
+                                                 value == nullptr ? units::to_internal(1.0, unit_of(row)) : *value);
+                          }},
                     row.member);
 }
 
 std::string meaning_text(const Row& row, const Parameters& p) {
-  const bool law = kind(row) == Kind::law || kind(row) == Kind::constants;
-  return law ? in_quotes(law_meaning(row, p)) : value_text(row, p);
+  return kind(row) == Kind::law ? in_quotes(law_meaning(row, p)) : value_text(row, p);
 }
 
 bool differs(const Row& row, const Parameters& a, const Parameters& b) {
@@ -153,6 +175,7 @@ std::string allowed_text(const Row& row) {
   }
   if (kind(row) == Kind::constants) return "names with their values, such as \"F_c = 0.1 nN, n = 2\"";
   const Range& range = row.range;
+  if (std::isinf(range.low)) return row.unit == "1" ? "any number" : fmt::format("any number of {}", row.unit);
   const bool field = kind(row) == Kind::field || kind(row) == Kind::law;
   const std::string unit =
       kind(row) == Kind::quantity || (field && row.unit != "1") ? fmt::format(" {}", row.unit) : "";
@@ -176,15 +199,18 @@ bool in_range(const Row& row, double value) {
 bool same(const Parameters& a, const Parameters& b) {
   Parameters p = a;
   Parameters q = b;
-  for (const Row& law : law_rows()) { // in one spelling
-    std::get<Text>(law.member)(p) = law_meaning(law, a);
-    std::get<Text>(law.member)(q) = law_meaning(law, b);
-  }
+  for (const Row& law : law_rows()) // in one spelling
+    if (const auto* text = std::get_if<Text>(&law.member)) {
+      (*text)(p) = law_meaning(law, a);
+      (*text)(q) = law_meaning(law, b);
+    }
   const auto agrees = [&](const Row& row) {
     return std::visit(Match{[&](Real member) {
                               return std::bit_cast<std::uint64_t>(member(p)) == std::bit_cast<std::uint64_t>(member(q));
                             },
                             [&](const Choice& c) { return c.index(p) == c.index(q); },
+                            [&](Constants) { return constants_text(a) == constants_text(b); },
+                            [&](const OneConstant&) { return true; }, // no row of the schema
                             [&](auto member) { return member(p) == member(q); }},
                       row.member);
   };

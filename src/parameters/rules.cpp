@@ -1,7 +1,6 @@
 #include "parameters/rules.hpp"
 
 #include "parameters/laws/law.hpp"
-#include "parameters/laws/law_names.hpp"
 
 #include <fmt/format.h>
 
@@ -167,20 +166,19 @@ std::string steps(const Parameters& p) {
   return {};
 }
 
-constexpr const char* readable_constants = "constants of laws can be read";
 constexpr const char* enough_neighbours = "enough neighbours";
 constexpr const char* some_is_free = "some matrix is free";
 constexpr const char* few_enough = "not too many particles";
 
 /// Those of the laws: each text can be read.
 std::vector<Rule> with_laws(std::vector<Rule> rules) {
-  std::vector<Rule> all{{readable_constants, {"laws.constants"}, fault_of_constants}};
+  std::vector<Rule> all;
   for (const Row& law : law_rows())
     if (kind(law) == Kind::law)
       all.push_back({readable_rule(law),
                      {law.path, "laws.constants"},
                      [&law](const Parameters& p) { return fault_of_law(p, law); },
-                     {readable_constants},
+                     {},
                      [&law](const Parameters& p) { return is_changed(law, p); },
                      true});
   std::move(rules.begin(), rules.end(), std::back_inserter(all));
@@ -221,15 +219,16 @@ std::span<const Rule> rules() {
       {"orphans have less support than the floor", {"ecm.orphan_support", "ecm.support_floor"}, supports},
       {few_enough, {"ecm.particle_spacing", "ecm.radius", "ecm.lattice"}, particles},
       {"there is attractant to sense",
-       {"laws.initiation_bias", "laws.initiation_rate", "ecm.fields.attractant", "ecm.fields.attractant_source"},
+       {"laws.initiation_bias", "laws.initiation_rate", "laws.constants", "ecm.fields.attractant",
+        "ecm.fields.attractant_source"},
        chemotaxis,
        of_initiation()},
       {"there is ligand to sense",
-       {"laws.initiation_bias", "laws.initiation_rate", "ecm.fields.ligand"},
+       {"laws.initiation_bias", "laws.initiation_rate", "laws.constants", "ecm.fields.ligand"},
        haptotaxis,
        of_initiation()},
       {"there are fibres to follow",
-       {"laws.initiation_bias", "laws.initiation_rate", "fibres.arrangement"},
+       {"laws.initiation_bias", "laws.initiation_rate", "laws.constants", "fibres.arrangement"},
        guidance,
        of_initiation()},
       {"fibres have a stiffness", {"fibres.field.stiffness", "fibres.stiffness"}, fibre_stiffness},

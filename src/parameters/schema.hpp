@@ -32,10 +32,16 @@ struct Choice {
   void (*set)(Parameters&, std::size_t);
 };
 
+/// Where a constant of the laws is stored.
+struct OneConstant {
+  std::string_view name;
+};
+
 /// Where a parameter is stored. The alternative is its type: quantity or ratio, integer, flag, text of a field or law,
-/// choice.
+/// choice; all constants of the laws, and one of them, a quantity or ratio as well.
 using Member = std::variant<double& (*)(Parameters&), int& (*)(Parameters&), std::uint64_t& (*)(Parameters&),
-                            bool& (*)(Parameters&), std::string& (*)(Parameters&), Choice>;
+                            bool& (*)(Parameters&), std::string& (*)(Parameters&), Choice,
+                            std::vector<LawConstant>& (*)(Parameters&), OneConstant>;
 
 /// Who is likely to touch a parameter: `usual` ones stand open in a new scenario, `optional` and `numerical` ones
 /// commented out.
@@ -109,6 +115,13 @@ inline constexpr std::size_t max_cells = 1000;
 /// @return the row of a dotted path, or null
 const Row* find_row(std::string_view path);
 
+/// The same of a path that a user names: also that of a constant of the laws of p, "laws.constants.F_s". The row lives
+/// as long as the constant, in p or a copy.
+const Row* find_row(std::string_view path, const Parameters& p);
+
+/// Where the real number of a row is stored; null of other rows, and of a constant that p has not.
+double* real_of(const Row& row, Parameters& p);
+
 Kind kind(const Row& row);
 
 /// What a bare number, and the bounds of `range`, are converted from: the unit of the row; of an angle 1.
@@ -116,6 +129,9 @@ units::Unit unit_of(const Row& row);
 
 std::string_view section_of(const Row& row); ///< "ecm"
 std::string_view key_of(const Row& row);     ///< "youngs_modulus"
+
+/// A text as a basic string of TOML, which is one of JSON as well.
+std::string in_quotes(std::string_view text);
 
 /// The value as it stands in a scenario file, to be read back to the same bits: "\"200 Pa\"", "0.45", "true",
 /// "\"square\"".
@@ -132,7 +148,7 @@ std::string description_of(const Row& row);
 /// "0 to 10 nN": where laws are judged over an argument.
 std::string range_text(const LawVariable& argument);
 
-/// The text of a row that holds one: a field, a law, a file.
+/// The text of a row that holds one: a field, a law.
 const std::string& text_of(const Row& row, const Parameters& p);
 
 /// `before` as it stands in a scenario file with these parameters; empty if the row has none.

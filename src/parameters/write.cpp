@@ -1,6 +1,7 @@
 #include "parameters/write.hpp"
 
 #include "parameters/gone.hpp"
+#include "parameters/laws/constants.hpp"
 #include "parameters/schema.hpp"
 #include "parameters/version.hpp"
 
@@ -42,6 +43,7 @@ bool is_open(const Row& row, const Parameters& p) {
 }
 
 std::string assignment(const Row& row, const Parameters& p) {
+  if (kind(row) == Kind::constants) return fmt::format("[{}]\n{}", row.path, constants_table(p));
   return fmt::format("{} = {}\n", key_of(row), value_text(row, p));
 }
 
@@ -62,6 +64,19 @@ Json number_schema(const Row& row) {
   bound(row.range.low_allowed ? "minimum" : "exclusiveMinimum", row.range.low);
   bound(row.range.high_allowed ? "maximum" : "exclusiveMaximum", row.range.high);
   return number;
+}
+
+/// A constant of the laws: a number, or one with its range.
+Json constant_schema() {
+  const Json number{{"type", {"string", "number"}}};
+  return {
+      {"anyOf",
+       {number,
+        {{"type", "object"},
+         {"additionalProperties", false},
+         {"required", {"value"}},
+         {"properties",
+          {{"value", number}, {"range", {{"type", "array"}, {"items", number}, {"minItems", 2}, {"maxItems", 2}}}}}}}}};
 }
 
 Json row_schema(const Row& row) {
@@ -85,6 +100,7 @@ Json row_schema(const Row& row) {
     break;
   case Kind::constants:
     schema["type"] = {"string", "object"};
+    schema["additionalProperties"] = constant_schema();
     break;
   case Kind::law:
     schema["type"] = {"string", "number"};
@@ -182,7 +198,7 @@ std::string values_text(const Parameters& p) {
     if (counts(row, p))
       text += fmt::format("{} = {}\n", row.path,
                           row.unit == "rad" // as fingerprints have had it
-                              ? fmt::format("{}", std::get<double& (*)(Parameters&)>(row.member)(q))
+                              ? fmt::format("{}", *real_of(row, q))
                               : meaning_text(row, p));
     for (const Gone& parameter : gone())
       if (parameter.behind == row.path) text += fmt::format("{} = {}\n", parameter.path, value_of_gone(parameter));
@@ -211,6 +227,7 @@ std::string new_scenario(const Preset& preset, const std::string& schema) {
           text += "\n# Numerics; rarely changed.\n";
         audience = row.audience;
         text += comment(row) + (open ? "" : "# ") + assignment(row, p);
+        if (kind(row) == Kind::constants && !open) text += "# F_c = \"0.1 nN\"\n"; // as an example
       });
   return text + cell_tables(p);
 }

@@ -1,6 +1,7 @@
 #include "parameters/laws/law.hpp"
 
 #include "base/failure.hpp"
+#include "parameters/laws/constants.hpp"
 #include "parameters/laws/law_names.hpp"
 #include "parameters/laws/law_values.hpp"
 #include "parameters/nearest.hpp"
@@ -31,7 +32,7 @@ std::string known_names(const Row& law, const Parameters& p) {
   for (const LawVariable& shared : law.shared)
     if (std::ranges::find(law.arguments, shared.name, &LawVariable::name) == law.arguments.end())
       text += fmt::format("{}, ", shared.name);
-  for (const LawConstant& constant : law_constants(p)) text += fmt::format("{}, ", constant.number.name);
+  for (const LawConstant& constant : p.laws.constants) text += fmt::format("{}, ", constant.name);
   return fmt::format("; names here are {}{}symbols of parameters; define others in [laws.constants]", text,
                      text.empty() ? "" : "and ");
 }
@@ -208,8 +209,8 @@ std::vector<const Row*> changed_laws(const Parameters& p) {
 std::string constants_of(const Row& law, const Parameters& p) {
   const auto named = names_in(law, p);
   std::string text;
-  for (const LawConstant& constant : law_constants(p))
-    if (named.contains(constant.number.name)) text += (text.empty() ? "" : ", ") + constant.text;
+  for (const LawConstant& constant : p.laws.constants)
+    if (named.contains(constant.name)) text += (text.empty() ? "" : ", ") + text_of(constant);
   return text;
 }
 
@@ -248,10 +249,9 @@ std::vector<std::string> law_notes(const Parameters& p) {
     for (const std::string& never : steady_comparisons(p, *law))
       notes.push_back(fmt::format("{}: {}", law->path, never));
   }
-  for (const LawConstant& constant : law_constants(p))
-    if (!named.contains(constant.number.name))
-      notes.push_back(
-          fmt::format("laws.constants: {} stands in no law that differs from the default", constant.number.name));
+  for (const LawConstant& constant : p.laws.constants)
+    if (!named.contains(constant.name))
+      notes.push_back(fmt::format("laws.constants: {} stands in no law that differs from the default", constant.name));
   return notes;
 }
 

@@ -100,7 +100,7 @@ fields::Expression law_formula(const Row& law, const Parameters& p, const std::s
 /// Which of its variables a formula may depend on.
 std::vector<bool> used_by(const fields::Expression& formula, std::span<const LawVariable> variables);
 
-/// What is wrong with the text of a law, where laws.constants can be read; empty if nothing is.
+/// What is wrong with the text of a law; empty if nothing is.
 std::string fault_of_law(const Parameters& p, const Row& law);
 
 /// "F = 0.3 nN, f_mat = 0.5".   @param named  which variables are told

@@ -154,6 +154,11 @@ private:
 
 int pascals_in(const Dimension& dimension) { return dimension.length == -2 * dimension.force ? dimension.force : 0; }
 
+double formula_factor(const Dimension& dimension) {
+  constexpr double one = 1000.0; // an exponent of 1, in thousandths
+  return std::pow(1000.0, pascals_in(dimension) / one);
+}
+
 std::string formula_unit(const Dimension& dimension, int pascals) {
   constexpr int one = 1000;
   std::string over, under;

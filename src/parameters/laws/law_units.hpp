@@ -18,6 +18,9 @@ using DimensionOf = std::function<std::optional<units::Dimension>(std::string_vi
 /// viscosity; 0 of others, which are in nN, um and s.
 int pascals_in(const units::Dimension& dimension);
 
+/// What a quantity in internal units is multiplied by to be in the unit of formulas, where a stress is in Pa.
+double formula_factor(const units::Dimension& dimension);
+
 /// "nN", "1/s", "Pa s"; empty of a number.   @param pascals  pascals_in(), or another: "Pa um^2"
 std::string formula_unit(const units::Dimension& dimension, int pascals);
 

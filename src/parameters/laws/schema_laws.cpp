@@ -111,8 +111,8 @@ constexpr std::array rows_of_laws{
     law("laws.degradation_body", [](Parameters& p) -> std::string& { return p.laws.degradation_body; }, "1/s", rate, of_methods,
         "Rate of degradation around the body of the cell; around its rear times body_rear_share", matrix, of_no_protrusion,
         "p > p_th_degr ? r_degr_body : 0"),
-    Row{"laws.constants", [](Parameters& p) -> std::string& { return p.laws.constants; }, "", {},
-        "", "this program", "Constants of your own for these formulas, or a table [laws.constants]", Audience::optional, ""},
+    Row{"laws.constants", [](Parameters& p) -> std::vector<LawConstant>& { return p.laws.constants; }, "", {},
+        "", "this program", "Constants of your own for these formulas, each of them a parameter: a table, or one text", Audience::optional, ""},
 };
 // clang-format on
 

@@ -31,7 +31,7 @@ void check_twins(const std::vector<ConditionDraft>& all, const Parameters& base,
     if (!label.empty() && labels[label]++ > 0)
       faults.add(draft.place, "conditions", fmt::format("\"{}\" is the label of two conditions", excerpt(label)));
     Parameters p = base;
-    for (const Named& named : draft.parameters) assign(*named.row, given_for(*named.row, *named.node), p);
+    for (const Named& named : draft.parameters) assign(*named.row, given_by(*named.node), p);
     std::string settings;
     for (const Setting& s : meant(draft.condition.settings, p)) settings += fmt::format("{} = {}\n", s.key, s.value);
     if (seen[settings]++ > 0)
@@ -54,7 +54,7 @@ std::vector<ConditionDraft> read_conditions(const toml::array& list, const Param
       continue;
     }
     ConditionDraft& draft = all.emplace_back(ConditionDraft{{label_in(*table, faults), {}}, place_of(node), {}});
-    for (const Named& named : named_parameters(*table, "conditions", {"label"}, faults)) {
+    for (const Named& named : named_parameters(*table, "conditions", {"label"}, base, faults)) {
       Parameters scratch = base;
       auto setting = assigned(*named.row, *named.node, scratch, faults);
       if (!setting) continue;
@@ -79,7 +79,7 @@ std::vector<Draft> crossed(std::vector<Draft> sets, const std::vector<ConditionD
       const std::vector<Setting>& settings = conditions[c].condition.settings;
       draft.point.settings.insert(draft.point.settings.begin(), settings.begin(), settings.end());
       for (const Named& named : conditions[c].parameters) {
-        assign(*named.row, given_for(*named.row, *named.node), draft.point.parameters);
+        assign(*named.row, given_by(*named.node), draft.point.parameters);
         draft.settings.emplace_back(named.row->path, place_of(*named.node));
       }
     }

@@ -27,7 +27,8 @@ std::vector<Draft> crossed(std::vector<Draft> sets, const std::vector<ConditionD
 
 /// Faults for parameters that a design varies and a condition sets.
 /// @param study  the whole file
-void check_overlaps(const toml::table& study, const std::vector<ConditionDraft>& conditions, FaultList& faults);
+void check_overlaps(const toml::table& study, const std::vector<ConditionDraft>& conditions, const Parameters& base,
+                    FaultList& faults);
 
 /// [[targets]]: `readout`, `value` or a range of `low` and `high`, `error`, and, if wanted, `weight` and `at`, the
 /// label of a condition or a list of them. `tracks`, a file of measured tracks, stands for value and error: the mean of

@@ -29,7 +29,7 @@ std::vector<Draft> hypercube_points(const toml::table& hypercube, const Paramete
   if (samples == nullptr) faults.add(place_of(hypercube), "latin_hypercube.samples", "is missing; write samples = 50");
   const std::size_t n = samples == nullptr ? 0 : faults.whole(*samples, "latin_hypercube.samples", 1, max_runs);
   std::vector<Span> spans;
-  for (const Named& named : named_parameters(hypercube, "latin_hypercube", {"samples"}, faults))
+  for (const Named& named : named_parameters(hypercube, "latin_hypercube", {"samples"}, base, faults))
     if (const auto span = span_of(named, base, faults)) spans.push_back(*span);
   if (spans.empty()) {
     if (faults.empty()) faults.add(place_of(hypercube), "latin_hypercube", "has no range of a parameter");

@@ -1,5 +1,6 @@
 #include "study_plan/names.hpp"
 
+#include "parameters/laws/constants.hpp"
 #include "parameters/schema.hpp"
 #include "parameters/units.hpp"
 #include "study_plan/settings.hpp"
@@ -35,6 +36,7 @@ std::string Names::of(const std::string& key) const {
 }
 
 std::string Names::whole(const std::string& key) {
+  if (const std::string_view constant = constant_name(key); !constant.empty()) return std::string(constant);
   const Row* row = find_row(key);
   return row == nullptr || row->symbol.empty() ? key : fmt::format("{} ({})", key, row->symbol);
 }
@@ -57,7 +59,7 @@ std::string set_text(const Study& study, std::size_t set) {
   if (!one.label.starts_with("sample ") || one.settings.empty()) return one.label;
   std::vector<Setting> rounded = one.settings;
   for (Setting& s : rounded) {
-    if (kind(*find_row(s.key)) != Kind::quantity) continue;
+    if (kind(*find_row(s.key, study.base)) != Kind::quantity) continue;
     std::string bare = s.value;
     std::erase(bare, '"');
     const units::Quantity quantity = units::parse_quantity(bare);
@@ -110,7 +112,7 @@ bool is_grid(const Study& study) {
   const std::vector<std::string> keys = swept_keys(study);
   if (keys.empty()) return false;
   double cells = 1.0;
-  for (const std::string& key : keys) cells *= static_cast<double>(values_of(study, *find_row(key)).size());
+  for (const std::string& key : keys) cells *= static_cast<double>(values_of(study, *find_row(key, study.base)).size());
   return cells <= 2.0 * static_cast<double>(study.points.size());
 }
 
@@ -138,7 +140,7 @@ std::vector<Json> places(const Study& study) {
     return all;
   }
   for (const std::string& key : swept_keys(study)) {
-    const Row& row = *find_row(key);
+    const Row& row = *find_row(key, study.base);
     const std::vector<Json> values = values_of(study, row);
     for (std::size_t i = 0; i < all.size(); ++i)
       all[i].push_back(std::ranges::find(values, value_of(row, study.points[i].parameters)) - values.begin());
@@ -153,7 +155,7 @@ Json axes_json(const Study& study) {
   Json axes = Json::array();
   const Names names(study);
   for (const std::string& key : swept_keys(study)) {
-    const Row& row = *find_row(key);
+    const Row& row = *find_row(key, study.base);
     const std::string label = row.symbol.empty() ? names.of(key) : std::string(row.symbol);
     axes.push_back({{"name", key},
                     {"label", label},

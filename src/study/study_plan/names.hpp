@@ -23,7 +23,7 @@ public:
   /// "youngs_modulus"; "n_prot", since "number" says of what too little; the whole path where another parameter of the
   /// study ends alike: "protrusion.force" beside "actomyosin.force".
   std::string of(const std::string& key) const;
-  /// "polarization.rate (r_pol)": where there is room, as along an axis.
+  /// "polarization.rate (r_pol)", of a constant of the laws its name: where there is room, as along an axis.
   static std::string whole(const std::string& key);
 
 private:

@@ -31,7 +31,8 @@ public:
   bool needed() const { return !m_set.empty(); }
 
   void check(const Named& named) {
-    const auto found = m_set.find(named.row->path);
+    const auto found =
+        std::ranges::find_if(m_set, [&](const auto& one) { return overlap(one.first, named.row->path); });
     if (found == m_set.end()) return;
     m_faults.add(place_of(*named.node), named.row->path,
                  fmt::format("is also set by the condition \"{}\"; a condition must not set a factor", found->second));
@@ -44,20 +45,21 @@ private:
 
 } // namespace
 
-void check_overlaps(const toml::table& study, const std::vector<ConditionDraft>& conditions, FaultList& faults) {
+void check_overlaps(const toml::table& study, const std::vector<ConditionDraft>& conditions, const Parameters& base,
+                    FaultList& faults) {
   ConditionCheck condition_check(conditions, faults);
   FaultList told(""); // elsewhere
   for (const Varying& section : varying_sections()) {
     const toml::node* node = study.get(section.name);
     if (node == nullptr || !node->is_table()) continue;
-    for (const Named& named : named_parameters(*node->as_table(), section.name, section.own, told))
+    for (const Named& named : named_parameters(*node->as_table(), section.name, section.own, base, told))
       condition_check.check(named);
   }
   const toml::node* points = study.get("points");
   if (!condition_check.needed() || points == nullptr || !points->is_array()) return;
   for (const toml::node& point : *points->as_array())
     if (const toml::table* table = point.as_table())
-      for (const Named& named : named_parameters(*table, "points", {"label"}, told)) condition_check.check(named);
+      for (const Named& named : named_parameters(*table, "points", {"label"}, base, told)) condition_check.check(named);
 }
 
 } // namespace matrigrate::study

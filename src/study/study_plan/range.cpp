@@ -11,7 +11,6 @@ namespace matrigrate::study {
 
 namespace {
 
-using Real = double& (*)(Parameters&);
 using Integer = int& (*)(Parameters&);
 
 double rounded(double value, int digits) {
@@ -24,7 +23,7 @@ double rounded(double value, int digits) {
 } // namespace
 
 std::optional<double> number_in_unit(const Row& row, Parameters p) { // NOLINT: members are asked of no const ones
-  if (const auto* real = std::get_if<Real>(&row.member)) return (*real)(p) / units::to_internal(1.0, unit_of(row));
+  if (const double* real = real_of(row, p)) return *real / units::to_internal(1.0, unit_of(row));
   if (const auto* integer = std::get_if<Integer>(&row.member)) return (*integer)(p);
   return std::nullopt;
 }

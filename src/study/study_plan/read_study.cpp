@@ -4,6 +4,7 @@
 #include "parameters/assign.hpp"
 #include "parameters/document.hpp"
 #include "parameters/gone.hpp"
+#include "parameters/laws/constants.hpp"
 #include "parameters/nearest.hpp"
 #include "parameters/presets.hpp"
 #include "parameters/read.hpp"
@@ -250,10 +251,25 @@ private:
     m_study.base = parameters_of(presets()[m_faults.choice(node, "preset", names)]);
   }
 
+  /// Constants of the laws that stand alone in [set], which defines those that the scenario has not.
+  void define_constants() {
+    toml::table* laws = m_table["set"]["laws"].as_table();
+    toml::table* constants = laws == nullptr ? nullptr : (*laws)["constants"].as_table();
+    if (constants == nullptr) return;
+    for (const auto& [name, node] : *constants) {
+      const std::string path = fmt::format("laws.constants.{}", name.str());
+      if (std::string fault = define_constant(name.str(), node, m_study.base); !fault.empty())
+        m_faults.add(place_of(node), path, std::move(fault));
+      m_fixed.emplace_back(path, place_of(node));
+    }
+    laws->erase("constants");
+  }
+
   void fix_parameters() {
     const toml::table* fixed = section("set");
     if (fixed == nullptr) return;
-    for (const Named& named : named_parameters(*fixed, "set", {}, m_faults)) {
+    define_constants();
+    for (const Named& named : named_parameters(*fixed, "set", {}, m_study.base, m_faults)) {
       assigned(*named.row, *named.node, m_study.base, m_faults);
       m_fixed.emplace_back(named.row->path, place_of(*named.node));
     }
@@ -267,7 +283,7 @@ private:
     std::vector<Draft> sets = read_sets(allowance);
     for (const ConditionDraft& draft : conditions) m_study.conditions.push_back(draft.condition);
     name_sets(sets, m_study.conditions);
-    check_overlaps(m_table, conditions, m_faults);
+    check_overlaps(m_table, conditions, m_study.base, m_faults);
     for (const Draft& draft : sets) m_study.sets.push_back({draft.point.label, draft.point.settings});
     std::vector<Draft> points = crossed(std::move(sets), conditions);
     take_gone(points);

@@ -2,6 +2,7 @@
 
 #include "parameters/assign.hpp"
 #include "parameters/gone.hpp"
+#include "parameters/laws/constants.hpp"
 #include "parameters/nearest.hpp"
 #include "parameters/read.hpp"
 #include "parameters/rules.hpp"
@@ -15,31 +16,35 @@ namespace matrigrate::study {
 
 namespace {
 
+constexpr std::string_view all_constants = "laws.constants";
+
 bool is_section(std::string_view path) {
   return std::ranges::any_of(sections(), [&](const Section& s) { return s.name == path; });
 }
 
 void gather(const toml::table& table, const std::string& prefix, std::string_view section,
-            const std::vector<std::string>& own, FaultList& faults, std::vector<Named>& found) {
+            const std::vector<std::string>& own, const Parameters& base, FaultList& faults, std::vector<Named>& found) {
   for (const auto& [name, node] : table) {
     const std::string path = prefix.empty() ? std::string(name.str()) : fmt::format("{}.{}", prefix, name.str());
     if (prefix.empty() && std::ranges::find(own, path) != own.end()) continue;
     const std::string shown = fmt::format("{}.{}", section, path);
-    const Row* row = find_row(path);
+    const Row* row = find_row(path, base);
     if (path == "run.seed" || path == "run.threads")
       faults.add(place_of(name), shown,
                  path == "run.seed" ? "the seeds of the runs follow from the study's own `seed`"
                                     : "the runs of a study take one thread each, or what Slurm gives them");
     else if (path == "cells")
       faults.add(place_of(name), shown, "a study takes its cells from its scenario or preset");
+    else if (node.is_table() && (is_section(path) || path == all_constants))
+      gather(*node.as_table(), path, section, own, base, faults, found);
     else if (row != nullptr)
       found.push_back({row, &node});
+    else if (!constant_name(path).empty())
+      faults.add(place_of(name), shown, unknown_constant(path, base));
     else if (const Gone* has_gone = find_gone(path); has_gone != nullptr) {
       if (std::string fault = fault_of_gone(*has_gone, node); !fault.empty())
         faults.add(place_of(name), shown, std::move(fault));
-    } else if (node.is_table() && is_section(path))
-      gather(*node.as_table(), path, section, own, faults, found);
-    else
+    } else
       faults.add(place_of(name), shown, "there is no such parameter", [path] { return parameter_hint(path); });
   }
 }
@@ -85,9 +90,16 @@ std::string without_folder(const std::string& value) {
 }
 
 std::vector<Named> named_parameters(const toml::table& table, std::string_view section,
-                                    const std::vector<std::string>& own, FaultList& faults) {
+                                    const std::vector<std::string>& own, const Parameters& base, FaultList& faults) {
   std::vector<Named> found;
-  gather(table, "", section, own, faults, found);
+  gather(table, "", section, own, base, faults, found);
+  const auto all = std::ranges::find(found, all_constants, [](const Named& n) { return n.row->path; });
+  if (all != found.end()
+      && std::ranges::any_of(found, [](const Named& n) { return !constant_name(n.row->path).empty(); })) {
+    faults.add(place_of(*all->node), fmt::format("{}.{}", section, all_constants),
+               "stands beside a constant alone; write each constant alone, or all of them in one text");
+    found.erase(all);
+  }
   std::ranges::sort(found, {}, [](const Named& n) {
     const Place place = place_of(*n.node);
     return std::pair(place.line, place.column);
@@ -96,19 +108,29 @@ std::vector<Named> named_parameters(const toml::table& table, std::string_view s
 }
 
 std::vector<Setting> meant(std::vector<Setting> settings, const Parameters& p) {
-  for (Setting& s : settings)
+  for (Setting& s : settings) {
+    if (!constant_name(s.key).empty()) s.key = all_constants;
     if (const Row* row = find_row(s.key); row != nullptr && section_of(*row) == "laws") s.value = meaning_text(*row, p);
+  }
   std::ranges::sort(settings, {}, &Setting::key);
+  settings.erase(std::unique(settings.begin(), settings.end()), settings.end()); // several constants
   return settings;
 }
 
+bool overlap(std::string_view path, std::string_view other) {
+  return path == other || (path == all_constants && !constant_name(other).empty())
+         || (other == all_constants && !constant_name(path).empty());
+}
+
 std::optional<Setting> assigned(const Row& row, const toml::node& node, Parameters& p, FaultList& faults) {
-  const std::string fault = assign(row, given_for(row, node), p);
+  const std::string fault = assign(row, given_by(node), p);
   if (!fault.empty()) {
     faults.add(place_of(node), row.path, fault);
     return std::nullopt;
   }
-  return Setting{std::string(row.path), value_text(row, p)};
+  // constants as typed: an earlier version had its seeds from that
+  return Setting{std::string(row.path),
+                 kind(row) == Kind::constants ? in_quotes(node.value_or(std::string())) : value_text(row, p)};
 }
 
 void RuleCheck::check(const Parameters& p, const std::vector<std::pair<std::string, Place>>& places,
@@ -136,8 +158,9 @@ void RuleCheck::blame(const Rule& rule, const std::string& broken,
   auto blamed = places.end();
   if (rule.is_of_first) blamed = std::ranges::find(places, rule.keys.front(), &std::pair<std::string, Place>::first);
   if (blamed == places.end())
-    blamed = std::ranges::find_if(
-        places, [&](const auto& known) { return std::ranges::find(rule.keys, known.first) != rule.keys.end(); });
+    blamed = std::ranges::find_if(places, [&](const auto& known) {
+      return std::ranges::any_of(rule.keys, [&](std::string_view key) { return overlap(key, known.first); });
+    });
   if (blamed == places.end())
     faults.add({}, rule.keys.front(), broken);
   else

@@ -27,8 +27,13 @@ struct Named {
 /// Unknown names are faults, and so are run.seed and run.threads, which the study decides on.
 /// @param section  how the table is called in faults
 /// @param own      keys of the table that are no parameters, and are left to the caller
+/// @param base     whose laws have constants
 std::vector<Named> named_parameters(const toml::table& table, std::string_view section,
-                                    const std::vector<std::string>& own, FaultList& faults);
+                                    const std::vector<std::string>& own, const Parameters& base, FaultList& faults);
+
+/// Whether to set one parameter sets the other, too: it is the same, or one of them is all constants of the laws, of
+/// which the other is one.
+bool overlap(std::string_view path, std::string_view other);
 
 /// Completes each field that a table names (complete_field), be it one text or a list of them, so that its file counts
 /// from the folder of the study and its content decides on the runs.
@@ -38,7 +43,8 @@ void complete_fields(toml::table& table, const std::filesystem::path& folder, fi
 /// The value of a setting as people read it: of a field from a file without folder and fingerprint; others as they are.
 std::string without_folder(const std::string& value);
 
-/// The settings sorted by key, laws and constants in one spelling.   @param p  parameters with these settings
+/// The settings sorted by key, laws in one spelling, and all constants in place of one.   @param p  parameters with
+/// these settings
 std::vector<Setting> meant(std::vector<Setting> settings, const Parameters& p);
 
 /// Gives the parameter a value. @return how it stands in a scenario file; none, and a fault, if it is not allowed

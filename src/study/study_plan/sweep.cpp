@@ -23,7 +23,7 @@ std::string count_text(double count) {
 std::vector<ValueList> value_lists(const toml::table& table, std::string_view section, const Parameters& base,
                                    FaultList& faults) {
   std::vector<ValueList> all;
-  for (const Named& named : named_parameters(table, section, {}, faults)) {
+  for (const Named& named : named_parameters(table, section, {}, base, faults)) {
     const toml::array* list = named.node->as_array();
     if (list == nullptr || list->empty()) {
       faults.add(place_of(*named.node), named.row->path,
@@ -99,7 +99,7 @@ std::vector<Draft> grid_points(const toml::table& sweep, const Parameters& base,
     for (const ValueList& axis : all) {
       block /= axis.nodes.size();
       const std::size_t k = i / block % axis.nodes.size();
-      assign(*axis.row, given_for(*axis.row, *axis.nodes[k]), draft.point.parameters);
+      assign(*axis.row, given_by(*axis.nodes[k]), draft.point.parameters);
       draft.point.settings.push_back(axis.settings[k]);
       draft.settings.emplace_back(axis.row->path, place_of(*axis.nodes[k]));
     }
@@ -121,7 +121,7 @@ std::vector<Draft> listed_points(const toml::array& points, const Parameters& ba
     Draft draft;
     draft.place = place_of(node);
     draft.point.parameters = base;
-    for (const Named& named : named_parameters(*table, "points", {"label"}, faults))
+    for (const Named& named : named_parameters(*table, "points", {"label"}, base, faults))
       if (auto setting = assigned(*named.row, *named.node, draft.point.parameters, faults)) {
         draft.point.settings.push_back(std::move(*setting));
         draft.settings.emplace_back(named.row->path, place_of(*named.node));

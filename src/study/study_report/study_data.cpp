@@ -57,7 +57,7 @@ Json scatter_json(const StudyReport& report) {
   Json factors = Json::array();
   std::vector<double> all_p;
   for (const std::string& key : swept_keys(report.study)) {
-    const Row& row = *find_row(key);
+    const Row& row = *find_row(key, report.study.base);
     std::vector<double> values;
     for (const Point& point : report.study.points)
       if (const auto value = number_in_unit(row, point.parameters)) values.push_back(*value);

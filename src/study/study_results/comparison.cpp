@@ -21,7 +21,7 @@ std::vector<std::vector<std::size_t>> grid_places(const Study& study) {
   for (const Point& point : study.points) {
     std::vector<std::size_t>& place = places.emplace_back();
     for (std::size_t k = 0; k < keys.size(); ++k) {
-      const std::string value = meaning_text(*find_row(keys[k]), point.parameters);
+      const std::string value = meaning_text(*find_row(keys[k], point.parameters), point.parameters);
       place.push_back(known[k].try_emplace(value, known[k].size()).first->second);
     }
   }

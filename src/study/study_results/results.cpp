@@ -70,7 +70,7 @@ Standing from_log(const std::filesystem::path& log) {
 
 /// The number of a swept parameter in the unit of its row, or the word of a choice.
 std::string swept_text(const Point& point, const std::string& key) {
-  const Row& row = *find_row(key);
+  const Row& row = *find_row(key, point.parameters);
   std::string text = meaning_text(row, point.parameters);
   std::erase(text, '"');
   if (kind(row) != Kind::quantity) return text;
@@ -302,7 +302,7 @@ std::string unit_suffix(std::string_view unit) {
 std::vector<std::string> swept_columns(const Study& study) {
   std::vector<std::string> names;
   for (const std::string& key : swept_keys(study)) {
-    const Row& row = *find_row(key);
+    const Row& row = *find_row(key, study.base);
     names.push_back(key + (kind(row) == Kind::quantity ? unit_suffix(row.unit) : ""));
   }
   return names;

@@ -24,7 +24,9 @@ std::string resolved_without(const Parameters& p, const Left& left_out) {
   for (const Row& row : schema()) {
     if (!left_out(row)) continue;
     const std::size_t section = text.find("\n[" + std::string(section_of(row)) + "]\n");
-    const std::size_t line = text.find("\n" + std::string(key_of(row)) + " = ", section);
+    const bool is_table = kind(row) == Kind::constants;
+    const std::size_t line =
+        text.find("\n" + (is_table ? "[" + std::string(row.path) : std::string(key_of(row)) + " = "), section);
     EXPECT_NE(line, std::string::npos) << row.path;
     text.erase(line, text.find('\n', line + 1) - line);
   }

@@ -1,5 +1,6 @@
 #include "base/file.hpp"
 #include "parameters/assign.hpp"
+#include "parameters/laws/constants.hpp"
 #include "parameters/laws/law.hpp"
 #include "parameters/laws/law_values.hpp"
 #include "parameters/read.hpp"
@@ -61,16 +62,16 @@ private:
   }
   void change(const Row&, bool& (*member)(Parameters&), Parameters& p, double) { member(p) = m_random() % 2 == 0; }
   void change(const Row& row, std::string& (*member)(Parameters&), Parameters& p, double) {
-    if (kind(row) == Kind::constants) {
-      member(p) = fmt::format("n = {}, F_c = {} nN", uniform(-1.0, 1.0), m_random());
-      return;
-    }
     if (kind(row) == Kind::law) {
       if (m_random() % 2 == 0) member(p) = fmt::format("{}*n > 0 ? F_c : 1", uniform(0.0, 1.0));
       return;
     }
     member(p) = m_random() % 2 == 0 ? "" : fmt::format("\"/sp ace/\\\"{}\\\\.csv\" hash=1", m_random()); // unread
   }
+  void change(const Row&, std::vector<LawConstant>& (*member)(Parameters&), Parameters& p, double) {
+    member(p) = constants_in(fmt::format("n = {}, F_c = {} nN", uniform(-1.0, 1.0), m_random()));
+  }
+  void change(const Row&, const OneConstant&, Parameters&, double) {} // no row of the schema
   void change(const Row&, const Choice& choice, Parameters& p, double) {
     choice.set(p, m_random() % choice.names.size());
   }
@@ -131,7 +132,10 @@ TEST(Write, AFormulaOnSeveralLinesReadsBack) {
 TEST(Write, EveryParameterStandsInTheResolvedFile) {
   const std::string text = to_toml({});
   for (const Row& row : schema())
-    EXPECT_NE(text.find("\n" + std::string(key_of(row)) + " = "), std::string::npos) << row.path;
+    EXPECT_NE(
+        text.find(kind(row) == Kind::constants ? "\n[laws.constants]\n" : "\n" + std::string(key_of(row)) + " = "),
+        std::string::npos)
+        << row.path;
 }
 
 TEST(Write, TheTextOfValuesHasNoWordOfDescription) {
@@ -241,6 +245,10 @@ TEST(Write, AScenarioShowsEveryParameterAndHidesNumerics) {
     const std::string key(key_of(row)); // those of fields stand in other sections, too
     if (kind(row) == Kind::field) {
       EXPECT_NE(text.find("\n# " + key + " = \"\"\n"), std::string::npos) << row.path;
+      continue;
+    }
+    if (kind(row) == Kind::constants) {
+      EXPECT_NE(text.find("\n# [laws.constants]\n# F_c = "), std::string::npos);
       continue;
     }
     const bool open = text.find("\n" + key + " = ") != std::string::npos;

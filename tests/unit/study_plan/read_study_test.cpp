@@ -1,8 +1,10 @@
 #include "unit/study_plan/studies.hpp"
 
+#include "parameters/laws/constants.hpp"
 #include "parameters/presets.hpp"
 #include "parameters/schema.hpp"
 #include "parameters/write.hpp"
+#include "study_plan/names.hpp"
 #include "study_plan/plan.hpp"
 #include "study_plan/study.hpp"
 
@@ -81,6 +83,95 @@ TEST(ReadStudy, ALawInOtherWordsHasTheSameSeeds) {
   EXPECT_EQ(seed_as_typed(plain, runs(plain)[0]), runs(plain)[0].seed)
       << "what is typed in the one spelling has kept its";
   EXPECT_NE(seed_as_typed(other, runs(other)[0]), runs(other)[0].seed);
+}
+
+/// A study in which F_s and n are constants.
+const std::string slip = "[set]\nlaws.disassembly_rate = \"n*r_off_min*exp(min(20, F/F_s))\"\n"
+                         "laws.constants.F_s = { value = \"200 pN\", range = [\"0.1 nN\", \"1 nN\"] }\n"
+                         "laws.constants.n = 2\n";
+
+TEST(ReadStudy, AConstantOfTheLawsIsAFactor) {
+  const Study s = read(slip + "[sweep]\nlaws.constants.F_s = [\"0.4 nN\", \"100 pN\"]\n");
+  ASSERT_EQ(s.points.size(), 2U);
+  EXPECT_EQ(s.points[0].label, "F_s 0.4 nN");
+  EXPECT_EQ(s.points[1].settings[0], (Setting{"laws.constants.F_s", "\"0.1 nN\""}));
+  EXPECT_EQ(constants_text(s.points[1].parameters), "F_s = 0.1 nN, n = 2") << "the other one stays";
+  const auto axes = axes_json(s);
+  ASSERT_EQ(axes.size(), 1U);
+  EXPECT_EQ(axes[0].at("label"), "F_s");
+  EXPECT_EQ(axes[0].at("unit"), "nN");
+  EXPECT_EQ(axes[0].at("values"), (nlohmann::ordered_json{0.1, 0.4}));
+  EXPECT_EQ(Names::whole("laws.constants.F_s"), "F_s");
+}
+
+TEST(ReadStudy, AHypercubeDrawsConstantsOfTheLaws) {
+  const Study s = read(slip
+                       + "[latin_hypercube]\nsamples = 4\nlaws.constants.F_s = [\"100 pN\", \"1 nN\", \"log\"]\n"
+                         "laws.constants.n = [1, 3]\n");
+  ASSERT_EQ(s.points.size(), 4U);
+  for (const Point& point : s.points) {
+    const double F_s = find_constant("F_s", point.parameters)->value;
+    EXPECT_GE(F_s, 0.1);
+    EXPECT_LE(F_s, 1.0);
+    EXPECT_TRUE(point_text(s, point.set).starts_with("F_s ")) << point_text(s, point.set);
+  }
+}
+
+TEST(ReadStudy, AConstantAloneAndAllInOneTextAreTheSameRuns) {
+  const auto runs = [](const std::string& sweep) {
+    return planned_runs(read(slip + "[sweep]\n" + sweep), values_text);
+  };
+  const auto alone = runs("laws.constants.F_s = [\"0.1 nN\", \"0.4 nN\"]\n");
+  const auto whole = runs("laws.constants = [\"n = 2, F_s = 0.1 nN\", \"F_s = 400 pN, n = 2\"]\n");
+  ASSERT_EQ(alone.size(), whole.size());
+  for (std::size_t k = 0; k < alone.size(); ++k) {
+    EXPECT_EQ(alone[k].seed, whole[k].seed);
+    EXPECT_EQ(alone[k].hash, whole[k].hash);
+  }
+  EXPECT_EQ(
+      fault_of(slip
+               + "[[points]]\nlaws.constants.F_s = \"0.4 nN\"\n[[points]]\nlaws.constants = \"n = 2, F_s = 0.4 nN\"\n"),
+      "f.toml:9:1: points: \"constants n = 2, F_s = 0.4 nN\": is the same as another point");
+}
+
+TEST(ReadStudy, AStudyWrittenOutHasItsConstants) {
+  const Study s = read(slip + "[sweep]\nlaws.constants.F_s = [\"0.1 nN\", \"0.4 nN\"]\nlaws.constants.n = [1, 3]\n");
+  std::string text = to_toml(s, "x.toml");
+  const std::string scenario = "scenario = \"x.toml\"";
+  text.replace(text.find(scenario), scenario.size(), "preset = \"baseline\"");
+  const Study again = parse_study(text + "\n" + slip, "f.toml", ".");
+  ASSERT_EQ(again.points.size(), 4U);
+  for (std::size_t k = 0; k < 4; ++k) {
+    EXPECT_EQ(again.points[k].settings, s.points[k].settings);
+    EXPECT_TRUE(same(again.points[k].parameters, s.points[k].parameters));
+  }
+}
+
+TEST(ReadStudy, FaultsOfConstantsOfTheLaws) {
+  const auto of = [](const std::string& text) { return fault_of(slip + text); };
+  EXPECT_EQ(of("[sweep]\nlaws.constants.F_z = [1, 2]\n"),
+            "f.toml:8:16: sweep.laws.constants.F_z: there is no such constant; there are F_s, n; did you mean F_s?; "
+            "define it in the scenario, below [laws.constants]: F_z = \"0.1 nN\"");
+  EXPECT_NE(of("[latin_hypercube]\nsamples = 2\nlaws.constants.F_z = [1, 2]\n").find("there is no such constant"),
+            std::string::npos);
+  EXPECT_NE(of("[[points]]\nlaws.constants.F_z = 1\n").find("there is no such constant"), std::string::npos);
+  EXPECT_EQ(of("[sweep]\nlaws.constants.F_s = [\"0.4 nN\", \"2 nN\"]\n"),
+            "f.toml:8:33: laws.constants.F_s: \"2 nN\" is out of range; allowed is >= 0.1 and <= 1 nN");
+  EXPECT_NE(of("[sweep]\nlaws.constants.F_s = [\"0.4 Pa\"]\n").find("is a stress, but a force is expected"),
+            std::string::npos);
+  EXPECT_NE(of("[latin_hypercube]\nsamples = 2\nlaws.constants.F_s = [\"1 nN\", \"0.1 nN\"]\n").find("is not below"),
+            std::string::npos);
+  EXPECT_NE(of("[sweep]\nlaws.constants.F_s = [\"0.4 nN\", \"400 pN\"]\n").find("is listed twice"), std::string::npos);
+  EXPECT_NE(
+      of("[sweep]\nlaws.constants.F_s = [\"0.4 nN\"]\n[[conditions]]\nlabel = \"a\"\nlaws.constants = \"n = 1\"\n")
+          .find("is also set by the condition \"a\""),
+      std::string::npos);
+  EXPECT_NE(of("[sweep]\n\"laws.constants\" = [\"n = 1\"]\n\"laws.constants.F_s\" = [1]\n")
+                .find("stands beside a constant alone"),
+            std::string::npos);
+  EXPECT_NE(fault_of("[set]\nlaws.constants.F_s = { value = \"1 nN\", range = [\"2 nN\", \"1 nN\"] }\n")
+                .find("laws.constants.F_s: the range of F_s begins at 2 nN"),
+            std::string::npos);
 }
 
 TEST(ReadStudy, EachFaultOfTheHead) {

@@ -100,6 +100,11 @@ TEST(Results, ColumnsCarryUnits) {
   const std::string csv = results_csv(s, results_of("f_mat", {{0.5}}));
   EXPECT_TRUE(csv.starts_with("run,label,ecm.youngs_modulus_Pa,fibres.arrangement,replicate,seed,status,")) << csv;
   EXPECT_NE(csv.find(",50,none,1,0,done,"), std::string::npos) << csv;
+  const Study law = read("[set]\nlaws.constants = \"F_s = 200 pN, n = 2\"\n"
+                         "[sweep]\nlaws.constants.F_s = [\"400 pN\"]\nlaws.constants.n = [1]\n");
+  const std::string of_law = results_csv(law, results_of("f_mat", {{0.5}}));
+  EXPECT_TRUE(of_law.starts_with("run,label,laws.constants.F_s_nN,laws.constants.n,replicate,")) << of_law;
+  EXPECT_NE(of_law.find(",0.4,1,1,0,done,"), std::string::npos) << of_law;
 }
 
 TEST(Results, LabelsAreNoFormulas) {
