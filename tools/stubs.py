@@ -24,15 +24,21 @@ head = '''"""Made from scenario.schema.json by tools/stubs.py; do not edit.
 Reading a parameter gives a number in the unit that its docstring names; writing takes such a number or a text with a unit.
 A wrong name, unit or range raises matrigrate.ConfigurationError.
 """
+from collections.abc import Mapping
 from typing import Any, Literal
 
 from ._schema import Parameter
+from .constants import Constants
 from .errors import UnknownParameter
 from .scenario import Scenario
 
 class _Quantity:
     def __get__(self, section: Section, owner: Any = None) -> float: ...
     def __set__(self, section: Section, value: float | str) -> None: ...
+
+class _Constants:
+    def __get__(self, section: Section, owner: Any = None) -> Constants: ...
+    def __set__(self, section: Section, value: str | Mapping[str, Any]) -> None: ...
 
 '''
 
@@ -46,7 +52,7 @@ def type_of(p: schema.Parameter) -> str:
     if p.kind == "choice":
         return f"Literal[{', '.join(f'{choice!r}'.replace(chr(39), chr(34)) for choice in p.choices)}]"
     return {"quantity": "_Quantity", "angle": "_Quantity", "ratio": "float", "integer": "int", "boolean": "bool",
-            "field": "str", "law": "str", "constants": "str"}[p.kind]
+            "field": "str", "law": "str", "constants": "_Constants"}[p.kind]
 
 
 def section(name: str, title: str) -> str:

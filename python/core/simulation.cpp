@@ -7,6 +7,7 @@
 #include "cell/geometry.hpp"
 #include "parameters/closures.hpp"
 #include "parameters/judge.hpp"
+#include "parameters/laws/constants.hpp"
 #include "parameters/read.hpp"
 #include "run/cadence.hpp"
 #include "simulation/start_rules.hpp"
@@ -372,6 +373,26 @@ std::string closures_in(const std::string& text, const std::string& name) {
   return closures_text(closures_of(parse_parameters(text, name)));
 }
 
+/// Of a value of laws.constants in TOML, after constants that are set alone: all in one text; name, number in the unit
+/// of the row, unit, what is allowed, and value of each.
+std::pair<std::string, py::list> constants_of_laws(const std::string& value, const std::vector<std::string>& alone) {
+  const Parameters p = parse_parameters("laws.constants = " + value, "", alone);
+  py::list all;
+  for (const LawConstant& constant : p.laws.constants) {
+    const Row& row = *constant.row;
+    all.append(py::make_tuple(constant.name, units::number_in(constant.value, unit_of(row)), row.unit,
+                              allowed_text(row), value_text(row, p)));
+  }
+  return {constants_text(p), all};
+}
+
+void add_scenarios(py::module_& module) {
+  module.def("judged", &judged_value);
+  module.def("unknown_name", &unknown_name);
+  module.def("closures", &closures_in);
+  module.def("constants", &constants_of_laws);
+}
+
 std::string closures_here(const SteppedSimulation& s) { return closures_text(closures_of(s.parameters())); }
 
 } // namespace
@@ -382,9 +403,7 @@ PYBIND11_MODULE(_core, module) {
   module.doc() = "Values that are judged, a simulation that is stepped from Python, and tracks.";
   py::register_exception_translator(&translate);
   py::module_::import("atexit").attr("register")(py::cpp_function(&end_marches));
-  module.def("judged", &judged_value);
-  module.def("unknown_name", &unknown_name);
-  module.def("closures", &closures_in);
+  add_scenarios(module);
   add_tracks(module);
   const auto of = [](const py::object& self) -> const State& { return self.cast<const SteppedSimulation&>().state(); };
   const auto cell = [of](const py::object& self, std::size_t k) -> const Cell& {

@@ -27,7 +27,12 @@ def unit_of(column: str) -> str:
     >>> unit_of("v_migr_abs_um_per_h"), unit_of("n_protrusions"), unit_of("polarization.rate_per_s")
     ('um/h', '1', '1/s')
     """
-    return next((unit for suffix, unit in _units.items() if column.endswith("_" + suffix)), "1")
+    return _units.get(unit_suffix(column), "1")
+
+
+def unit_suffix(column: str) -> str:
+    """"um_per_h" of "v_migr_abs_um_per_h"; "" where there is no unit."""
+    return next((suffix for suffix in _units if column.endswith("_" + suffix)), "")
 
 
 def make_folder(path: Path, overwrite: bool) -> None:

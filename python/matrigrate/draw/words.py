@@ -14,9 +14,9 @@ import re
 import textwrap
 from typing import Any
 
-from ..base.files import unit_of
+from ..base.files import unit_of, unit_suffix
 from ..results import results
-from ..scenario import schema
+from ..scenario import constants, schema
 from ..tracks import motility
 
 colours: list[str] = schema.table("colours.json")["palette"]  #: Okabe and Ito's, which all eyes can separate
@@ -59,13 +59,24 @@ def shown_unit(unit: str) -> str:
 
 @functools.cache
 def parameter_of(column: str) -> schema.Parameter | None:
-    """The parameter whose column this is in tables of a study, "ecm.youngs_modulus_Pa"; None if there is none."""
+    """The parameter whose column this is in tables of a study, "ecm.youngs_modulus_Pa"; None if there is none.
+
+    >>> title("laws.constants.F_s_nN")
+    'F_s (nN)'
+    """
+    if name := constants.name_in(column):  # not that of a plain number that ends like a unit: tau_s
+        suffix, unit = unit_suffix(column), unit_of(column)
+        name = name.removesuffix(f"_{suffix}") if suffix else name
+        kind = "quantity" if suffix else "ratio"
+        return schema.Parameter(f"{constants.path}.{name}", kind, "", name, "", unit, 1.0, "", ())
     known = schema.parameters()
     return max((p for path, p in known.items() if column == path or column.startswith(f"{path}_")), key=lambda p: len(p.path), default=None)
 
 
 def noun(parameter: schema.Parameter) -> str:
     """A noun for a parameter: the first clause of its meaning; of a rule or a law the words of its name."""
+    if constants.name_in(parameter.path):  # its symbol says it
+        return ""
     clause = "" if parameter.path.startswith("laws.") else re.split(r"[;:,(]", parameter.meaning)[0].strip()
     if clause and len(clause) <= 60 and not _no_noun.match(clause):
         return clause if _people.match(clause) else clause[0].lower() + clause[1:]
@@ -111,7 +122,7 @@ def unit(column: str) -> str:
 def title(column: str) -> str:
     """Words, symbol and unit of a read-out or parameter, and the condition of ``at``."""
     column, between, condition = column.partition(" at ")
-    parts = [words(column), *([symbol(column)] if symbol(column) else [])]
+    parts = [part for part in (words(column), symbol(column)) if part]
     return ", ".join(parts) + (f" ({unit(column)})" if unit(column) else "") + between + condition
 
 

@@ -4,15 +4,16 @@ from __future__ import annotations
 import os
 import re
 import tomllib
+from collections.abc import Iterable, Iterator, Mapping
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from ..base import arguments, program
 from ..base.files import read_text
 from ..draw import words
 from ..errors import ConfigurationError, InputOutputError
 from ..results.studies import Study
-from ..scenario import schema
+from ..scenario import constants, schema
 
 if TYPE_CHECKING:
     import pandas
@@ -27,11 +28,13 @@ def write_points(file: Path, points: pandas.DataFrame, like: Study | str | os.Pa
     :raises InputOutputError: if the file is there already
     """
     source = like.folder / "study.resolved.toml" if isinstance(like, Study) else arguments.path("like", like)
-    named = {column: words.parameter_of(column) for column in points}
+    text = read_text(source)
+    varied = list(_varied(tomllib.loads(text)))
+    named = {column: _parameter(column, varied) for column in points}
     if unknown := [f"{column}: is no parameter of the program; the next wave is written of a fit whose columns are named as in the tables of a study"
                    for column, known in named.items() if known is None]:
         raise ConfigurationError("\n".join(unknown))
-    text = _without_points(read_text(source), source.parent, file.parent)
+    text = _without_points(text, source.parent, file.parent)
     first = _next_wave(text)
     for k, row in enumerate(points.to_dict("records"), 1):
         text += f"\n[[points]]\nlabel = \"wave {first}, point {k}\"\n"
@@ -48,6 +51,23 @@ def write_points(file: Path, points: pandas.DataFrame, like: Study | str | os.Pa
     except BaseException:
         file.unlink()
         raise
+
+
+def _varied(table: Mapping[str, Any], prefix: str = "") -> Iterator[str]:
+    """Paths of constants of the laws that a study names."""
+    for key, value in table.items():
+        path = f"{prefix}{key}"
+        for inner in value if isinstance(value, list) else [value]:
+            if isinstance(inner, Mapping):
+                yield from _varied(inner, "" if path in (*_of_its_points, "set", "conditions") else f"{path}.")
+        if constants.name_in(path):
+            yield path
+
+
+def _parameter(column: str, varied: Iterable[str]) -> schema.Parameter | None:
+    """The parameter of a column. A bare number of a constant of the laws is in the unit of the column."""
+    known = max((path for path in varied if column == path or column.startswith(f"{path}_")), key=len, default="")
+    return schema.Parameter(known, "ratio", "", "", "", "1", 1.0, "", ()) if known else words.parameter_of(column)
 
 
 def _next_wave(text: str) -> int:

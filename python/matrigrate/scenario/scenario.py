@@ -13,7 +13,7 @@ from ..base import arguments, program
 from ..base.files import require_regular
 from ..base.load_core import core
 from ..errors import ConfigurationError, Fault, InputOutputError
-from . import schema
+from . import constants, schema
 from .schema import Parameter, Value
 from .sections import Section as Section, Sections, classes, help_text, of, unknown
 
@@ -35,18 +35,6 @@ def _file_of(text: str) -> tuple[str, str] | None:
     head = re.split(r"\s[A-Za-z_]+=(?!=)", text, maxsplit=1)[0]
     ends = list(re.finditer(r"\S\.(csv|png|tiff?)(?=\s|$)", head, re.IGNORECASE))
     return (text[:ends[-1].end()], text[ends[-1].end():]) if ends else None
-
-
-def _plain(value: Any) -> Any:
-    """Numbers of numpy as numbers of Python."""
-    return value.item() if type(value).__module__ == "numpy" and getattr(value, "ndim", 1) == 0 else value
-
-
-def _typed(path: str, value: Any) -> Any:
-    """A value as it is typed; a table of names for laws.constants as its text."""
-    if path == "laws.constants" and isinstance(value, Mapping):
-        return ", ".join(f"{name} = {_plain(value[name])}" for name in sorted(value))
-    return _plain(value)
 
 
 class Scenario(Sections, Mapping[str, Value]):
@@ -87,8 +75,8 @@ class Scenario(Sections, Mapping[str, Value]):
         gone = schema.gone()
         for path, value, nested in flat:
             if path in gone:  # earlier versions had it; one value is left
-                if not gone[path]["any"] and _plain(value) != gone[path]["left"]:
-                    faults.append(Fault(path, gone[path]["fate"].replace("{}", schema.toml_text(_plain(value)))))
+                if not gone[path]["any"] and schema.plain(value) != gone[path]["left"]:
+                    faults.append(Fault(path, gone[path]["fate"].replace("{}", schema.toml_text(schema.plain(value)))))
                 continue
             try:
                 if nested:
@@ -138,6 +126,10 @@ class Scenario(Sections, Mapping[str, Value]):
         return scenario
 
     def __getitem__(self, path: str) -> Value:
+        if path == constants.path:
+            return str(self.laws.constants)
+        if name := constants.name_in(path):
+            return self.laws.constants[name]
         p = _row(path)
         if path == "run.time_step" and path not in self._given and self["run.integrator"] == "adaptive":
             return _usual_adaptive_step
@@ -161,7 +153,7 @@ class Scenario(Sections, Mapping[str, Value]):
         faults: list[Fault] = []
         for k, cell in enumerate(cells, start=1):
             one = dict(cell) if isinstance(cell, Mapping) else dict(zip(rows, cell, strict=True))
-            one = {key: _plain(value) for key, value in one.items()}
+            one = {key: schema.plain(value) for key, value in one.items()}
             faults += [Fault(f"cells[{k}].{key}", "there is no such key; a cell has x and y") for key in one if key not in rows]
             faults += [Fault(f"cells[{k}]", f'has no {key}; write it like {key} = "40 um"') for key in rows if key not in one]
             wrong = {key: rows[key].fault(value) for key, value in one.items() if key in rows}
@@ -175,15 +167,22 @@ class Scenario(Sections, Mapping[str, Value]):
         if path == "cells":
             self._set_cells(value)
             return
+        if name := constants.name_in(path):
+            self.laws.constants[name] = value
+            return
         p = _row(path)
-        value = _typed(path, value)
-        fault = p.fault(value)
-        if fault:
+        value = schema.plain(value)
+        if isinstance(value, Mapping) and path == constants.path:
+            constants.read(value)
+        elif fault := p.fault(value):
             raise ConfigurationError(Fault(path, fault))
         self._given[path] = value
 
     def __delitem__(self, path: str) -> None:
         """Gives a parameter its default again."""
+        if name := constants.name_in(path):
+            del self.laws.constants[name]
+            return
         self[path]
         self._given.pop(path, None)
 
@@ -249,11 +248,15 @@ class Scenario(Sections, Mapping[str, Value]):
         >>> print(Scenario().help("ecm.viscosity"))
         Viscosity of the matrix, intact or degraded (mu); > 0 and <= 1e9 Pa s. A bare number is in Pa s. Default: "1000 Pa s" (Heck et al. 2020, Table 1).
         """
-        return help_text(_row(path))
+        return help_text(self._row(path))
 
     def unit(self, path: str) -> str:
         """The unit of a bare number, and of what reading gives: "Pa"; "1" of ratios and counts, empty of words."""
-        return _row(path).unit
+        return self._row(path).unit
+
+    def _row(self, path: str) -> Parameter:
+        name = constants.name_in(path)
+        return self.laws.constants.row(name) if name else _row(path)
 
     def toml(self) -> str:
         """The text of a scenario file: what was set, each with its meaning and range."""
@@ -262,9 +265,11 @@ class Scenario(Sections, Mapping[str, Value]):
             rows = [p for p in of(section) if p.path in self._given]
             text += f"\n# {title}\n[{section}]\n" if rows else ""
             for p in rows:
-                text += f"# {p.meaning}; {p.allowed}\n{p.key} = {schema.toml_text(self._given[p.path])}\n"
+                value = self._given[p.path]
+                lines = f"[{p.path}]\n{_lines(value)}" if isinstance(value, Mapping) else _lines({p.key: value})
+                text += f"# {p.meaning}; {p.allowed}\n{lines}"
         for cell in self._cells:
-            text += "\n[[cells]]\n" + "".join(f"{key} = {schema.toml_text(value)}\n" for key, value in cell.items())
+            text += f"\n[[cells]]\n{_lines(cell)}"
         return text
 
     def save(self, file: str | os.PathLike[str], *, overwrite: bool = False) -> Path:
@@ -305,6 +310,10 @@ class Scenario(Sections, Mapping[str, Value]):
         return program.TemporaryScenario(self.name, self.toml())
 
 
+def _lines(table: Mapping[str, Any]) -> str:
+    return "".join(f"{key} = {schema.toml_text(value)}\n" for key, value in table.items())
+
+
 def _row(path: str) -> Parameter:
     p = schema.parameters().get(arguments.text("path", path, 'a name such as "ecm.youngs_modulus"'))
     if p is None:
@@ -325,7 +334,7 @@ def _flat(values: Mapping[str, Any]) -> Iterator[tuple[str, Any, bool]]:
         elif name in classes:
             raise ConfigurationError(Fault(name, f"is a section; write [{name}] and its keys below, each on a line"))
         else:
-            yield name, value, isinstance(value, Mapping)
+            yield name, value, isinstance(value, Mapping) and name != constants.path
 
 
 def _read(path: Path) -> dict[str, Any]:

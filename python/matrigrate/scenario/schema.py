@@ -4,6 +4,7 @@ from __future__ import annotations
 import functools
 import json
 import re
+from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -52,17 +53,28 @@ class Parameter:
         return judge(self.path, value)[0]
 
 
-def toml_text(value: Value) -> str:
+def plain(value: Any) -> Any:
+    """Numbers of numpy as numbers of Python."""
+    return value.item() if type(value).__module__ == "numpy" and getattr(value, "ndim", 1) == 0 else value
+
+
+def toml_text(value: Any) -> str:
     """A value as it stands in a scenario file.
 
-    >>> print(toml_text("200 Pa"), toml_text(0.45), toml_text(True))
-    "200 Pa" 0.45 true
+    >>> print(toml_text("200 Pa"), toml_text(0.45), toml_text(True), toml_text({"n": [1, 2]}))
+    "200 Pa" 0.45 true { n = [1, 2] }
     """
+    if isinstance(value, Mapping):
+        pairs = ((key if re.fullmatch(r"\w+", key, re.ASCII) else toml_text(key), one) for key, one in value.items())
+        return f"{{ {', '.join(f'{key} = {toml_text(one)}' for key, one in pairs)} }}"
+    if isinstance(value, (list, tuple)):
+        return f"[{', '.join(map(toml_text, value))}]"
     if isinstance(value, bool):
         return "true" if value else "false"
     if isinstance(value, str):
         return json.dumps(value, ensure_ascii=False).replace("\x7f", "\\u007f")
-    return repr(value)
+    number = plain(value)
+    return repr(number) if isinstance(number, (int, float)) else toml_text(str(value))
 
 
 def _parameter(path: str, entry: dict[str, Any]) -> Parameter:

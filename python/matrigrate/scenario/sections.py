@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 from ..errors import Fault, UnknownParameter
 from . import schema
+from .constants import Constants
 from .schema import Parameter, Value
 
 if TYPE_CHECKING:
@@ -65,8 +66,8 @@ def inner(section: str) -> list[str]:
 
 
 def _attribute(p: Parameter) -> property:
-    def read(self: Section) -> Value:
-        return self._scenario[p.path]
+    def read(self: Section) -> Value | Constants:
+        return Constants(self._scenario) if p.kind == "constants" else self._scenario[p.path]
 
     def write(self: Section, value: Value) -> None:
         self._scenario[p.path] = value
