@@ -66,6 +66,7 @@ export function symbolOf({ name, label }: Named): string {
 /** A noun for a thing whose meaning is a sentence: its first clause; of a rule or a law the words of its name. */
 export function wordsOf(one: Named): string {
   const clause = (one.meaning ?? "").split(/[;:,(]/)[0].trim();
+  if (one.name.startsWith("laws.constants.")) return one.name.slice("laws.constants.".length);
   if (!one.name.includes(".")) return one.meaning || one.label.replaceAll("_", " ");
   if (clause && clause.length <= 60 && !one.name.startsWith("laws.") && !/^(The|With|Two|A|Whether|How|Which|What) /.test(clause)) return lower(clause);
   const [section, key] = [one.name.slice(0, one.name.lastIndexOf(".")), one.name.slice(one.name.lastIndexOf(".") + 1)];
@@ -78,8 +79,8 @@ export const capital = (text: string): string => `${text[0]?.toUpperCase() ?? ""
 
 /** "speed, start to end, v_migr,abs (\u00b5m/h)" */
 export function titleOf(one: Named): string {
-  const symbol = symbolOf(one);
-  return `${wordsOf(one)}${symbol ? `, ${symbol}` : ""}${one.unit && one.unit !== "-" ? ` (${pretty(one.unit)})` : ""}`;
+  const words = [...new Set([wordsOf(one), symbolOf(one)].filter(Boolean))].join(", ");
+  return `${words}${one.unit && one.unit !== "-" ? ` (${pretty(one.unit)})` : ""}`;
 }
 
 /** A value of a parameter as a legend names it: "E = 50 Pa"; without a symbol by words. */

@@ -61,6 +61,8 @@ test("every read-out has words of its own", () => {
 test("symbols are set as the paper does", () => {
   assert.equal(typeset("f_mat F_am, tau_prot, r_off,min"), "f<sub>mat</sub> F<sub>am</sub>, \u03c4<sub>prot</sub>, r<sub>off,min</sub>");
   assert.equal(typeset("n_protrusions msd_slope"), "n_protrusions msd_slope");
+  const constant = { name: "laws.constants.F_s", label: "F_s", meaning: "Constant of the laws", unit: "nN" };
+  assert.deepEqual([titleOf(constant), settingOf(constant, 0.4)], ["F_s (nN)", "F_s = 0.4 nN"]);
   assert.equal(symbolOf({ name: "protrusion.force", label: "protrusion.force (F_prot)", unit: "nN" }), "F_prot");
   assert.equal(symbolOf({ name: "degradation.tip_rate", label: "tip_rate", unit: "1/s" }), "");
   assert.equal(settingOf({ name: "protrusion.force", label: "F_prot", meaning: "Growth force of a protrusion", unit: "nN" }, 0.2), "F_prot = 0.2 nN");
