@@ -86,6 +86,14 @@ class Emulator:
         mean, variance = (np.concatenate(one) for one in zip(*parts, strict=True))
         return self._centre + self._scale * mean, self._scale * np.sqrt(variance)
 
+    def together(self, cube: Array) -> tuple[Array, Array]:
+        """At sets of points, (point of a set, set, parameter): the means, and the covariance of their errors, (point,
+        point, set)."""
+        many = max(1, cube.shape[0] * cube.shape[1] // _at_once)
+        parts = [self._process.together(part) for part in np.array_split(cube, many, axis=1)]
+        mean, off = (np.concatenate(one, axis=-1) for one in zip(*parts, strict=True))
+        return self._centre + self._scale * mean, self._scale**2 * off
+
     def mean(self, cube: Array) -> Array:
         return np.asarray(self._centre + self._scale * self._process.mean(cube))
 
@@ -140,31 +148,52 @@ def _jansen(values: Array, parameters: int) -> Array:
 
 def sampled(log_likelihood: Callable[[Array], Array], cube: Array, known: Array, size: int = 4000,
             seed: int = 1) -> tuple[Array, float]:
-    """Points of the unit cube drawn from the posterior of a uniform prior, and their effective sample size:
-    importance sampling, from a normal distribution about the earlier points where the prior alone meets too few.
+    """Points of the unit cube drawn from the posterior of a uniform prior, and their effective sample size.
 
     :param cube: drawn from the prior   :param known: their log likelihoods
     """
     random = np.random.default_rng(seed)
-    tries, parameters = cube.shape
-    log_prior = np.zeros(tries)
+    cube, log_weight = weighted(log_likelihood, cube, known, np.zeros(len(cube)), random)
+    weight, effective = shares(log_weight)
+    return cube[random.choice(len(cube), size=size, p=weight)], effective
+
+
+def weighted(log_likelihood: Callable[[Array], Array], cube: Array, known: Array, log_density: Array,
+             random: np.random.Generator, enough: float = 1500, tries: int = _tries) -> tuple[Array, Array]:
+    """Points of the unit cube and the logarithms of their weights, whose mean is the probability of the data: importance
+    sampling, from a normal distribution about the earlier points where these have too little weight. The last call of
+    the likelihood is for the points that are returned.
+
+    :param cube: the first points   :param known: their log likelihoods   :param log_density: of their distribution
+    :param enough: effective sample size
+    """
     for last in range(6):
-        log_weight = (known if last == 0 else log_likelihood(cube)) - log_prior
-        weight = np.exp(log_weight - log_weight.max())
-        weight /= weight.sum()
-        effective = float(1.0 / np.sum(weight**2))
-        if effective >= 1500 or last == 5:
+        log_weight = (known if last == 0 else log_likelihood(cube)) - log_density
+        weight, effective = shares(log_weight)
+        if effective >= enough or last == 5:
             break
         centre = weight @ cube
-        covariance = 2.0 * ((cube - centre).T * weight) @ (cube - centre) + 1e-8 * np.eye(parameters)
-        tries = _tries
-        near = random.multivariate_normal(centre, covariance, 80 * tries)
-        inside = np.all((near >= 0) & (near <= 1), axis=1)
-        share = max(float(inside.mean()), 1e-4)
-        near = near[inside][:int(0.85 * tries)]
-        cube = np.concatenate([near, random.random((tries - len(near), parameters))])
-        away = cube - centre
-        density = np.exp(-0.5 * np.sum(away @ np.linalg.inv(covariance) * away, axis=1)) / np.sqrt(
-            np.linalg.det(2 * np.pi * covariance)) / share
-        log_prior = np.log((len(near) * density + (tries - len(near))) / tries)
-    return cube[random.choice(len(cube), size=size, p=weight)], effective
+        cube, log_density = about(centre, ((cube - centre).T * weight) @ (cube - centre), tries, random)
+    return cube, log_weight
+
+
+def shares(log_weight: Array) -> tuple[Array, float]:
+    """Weights with the sum 1, and the effective sample size."""
+    weight = np.exp(log_weight - log_weight.max())
+    weight /= weight.sum()
+    return weight, float(1.0 / np.sum(weight**2))
+
+
+def about(centre: Array, covariance: Array, tries: int, random: np.random.Generator) -> tuple[Array, Array]:
+    """Points of the unit cube, most from a normal distribution of twice this covariance, the others from all of the cube;
+    and the logarithm of their density."""
+    wide = 2.0 * covariance + 1e-8 * np.eye(len(centre))
+    near = random.multivariate_normal(centre, wide, 80 * tries)
+    inside = np.all((near >= 0) & (near <= 1), axis=1)
+    share = max(float(inside.mean()), 1e-4)
+    near = near[inside][:int(0.85 * tries)]
+    cube = np.concatenate([near, random.random((tries - len(near), len(centre)))])
+    away = cube - centre
+    squared = np.sum(away @ np.linalg.inv(wide) * away, axis=1)
+    density = np.exp(-0.5 * squared) / np.sqrt(np.linalg.det(2 * np.pi * wide)) / share
+    return cube, np.log((len(near) * density + (tries - len(near))) / tries)

@@ -251,10 +251,23 @@ def _log_likelihood(means: Array, errors: Array, value: Array, covariance: Array
     """Errors of emulators are independent: each read-out has its own. A covariance that is itself estimated from n tracks
     makes a t distribution of the normal one (Sellentin and Heavens 2016)."""
     whole = covariance + errors[:, :, None] * np.eye(len(value)) * errors[:, None, :]
-    off = means - value
-    squared = np.einsum("ij,ij->i", off, np.linalg.solve(whole, off[:, :, None])[:, :, 0])
+    return log_density((means - value)[:, None], whole, cells)[:, 0]
+
+
+def log_density(off: Array, whole: Array, cells: int) -> Array:
+    """Up to a constant.
+
+    :param off: (point, case, number)   :param whole: covariance of the numbers at each point
+    :param cells: that it was estimated from; or 0
+    :return: (point, case)
+    """
+    squared = squared_distance(off, whole)
     fit = -0.5 * squared if cells < 2 else -0.5 * cells * np.log1p(squared / (cells - 1))
-    return np.asarray(fit - 0.5 * np.linalg.slogdet(whole)[1])
+    return np.asarray(fit - 0.5 * np.linalg.slogdet(whole)[1][:, None])
+
+
+def squared_distance(off: Array, whole: Array) -> Array:
+    return np.asarray(np.einsum("ijk,ikj->ij", off, np.linalg.solve(whole, off.transpose(0, 2, 1))))
 
 
 def _log_inside(low: float, high: float, means: Array, errors: Array) -> Array:

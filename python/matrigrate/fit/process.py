@@ -48,9 +48,10 @@ class _Setting:
             whole += self.linear * (a - 0.5) @ (b - 0.5).T
         return np.asarray(whole)
 
-    def variance(self, a: Array) -> Array:
-        """Of the mean at points, without any values."""
-        return np.asarray(_constant + self.smooth + self.linear * ((a - 0.5)**2).sum(axis=1))
+    def between(self, a: Array, b: Array) -> Array:
+        """Covariance of the means at each point of a and that of b beside it, without any values."""
+        smooth = self.smooth * np.exp(-0.5 * ((a - b)**2 @ self.reach))
+        return np.asarray(_constant + smooth + self.linear * ((a - 0.5) * (b - 0.5)).sum(axis=1))
 
     def drawn(self, a: Array, draws: int, random: np.random.Generator) -> Array:
         """Means at points, without any values: a column a draw."""
@@ -140,18 +141,32 @@ class Process:
             self._members.append((setting, share, root, linalg.cho_solve((root, True), y)))
 
     def __call__(self, cube: Array) -> tuple[Array, Array, Array]:
-        """At points: the mean, its variance, and the variance of a run about it. How far single members are off is taken from some of them."""
+        """At points: the mean, its variance, and the variance of a run about it."""
+        mean, off = self.together(cube[None])
+        return mean[0], off[0, 0], self.of_run(cube)
+
+    def together(self, cube: Array) -> tuple[Array, Array]:
+        """At sets of points, (point of a set, set, parameter): the means, and for each two points of a set the covariance of
+        their errors, (point, point, set). How far single members are off is taken from some of them."""
+        points, sets, parameters = cube.shape
+        pairs = [(i, j) for i in range(points) for j in range(i + 1)]
         means, offs, shares = [], [], np.array([share for _, share, *_ in self._members])
         deep = np.argsort(-shares, kind="stable")[:_deep]
         for k, (setting, _, root, weights) in enumerate(self._members):
-            with_points = setting.covariance(self._cube, cube)
+            with_points = setting.covariance(self._cube, cube.reshape(-1, parameters))
             means.append(weights @ with_points)
             if k in deep:
                 half = scipy()[0].solve_triangular(root, with_points, lower=True, check_finite=False, overwrite_b=True)
-                offs.append(np.maximum(setting.variance(cube) - np.einsum("ij,ij->j", half, half), 0.0))
+                half = half.reshape(-1, points, sets)
+                offs.append([setting.between(cube[i], cube[j]) - np.einsum("ij,ij->j", half[:, i], half[:, j])
+                             for i, j in pairs])
         mean = shares @ means
+        apart = (np.array(means) - mean).reshape(-1, points, sets)
         off = np.average(offs, axis=0, weights=shares[np.sort(deep)])
-        return mean, off + shares @ (np.array(means) - mean)**2, self.of_run(cube)
+        whole = np.empty((points, points, sets))
+        for (i, j), one in zip(pairs, off, strict=True):
+            whole[i, j] = whole[j, i] = (np.maximum(one, 0.0) if i == j else one) + shares @ (apart[:, i] * apart[:, j])
+        return mean.reshape(points, sets), whole
 
     def mean(self, cube: Array) -> Array:
         return np.asarray(sum(share * (weights @ setting.covariance(self._cube, cube)) for setting, share, _, weights in self._members))
