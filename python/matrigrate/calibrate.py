@@ -7,16 +7,19 @@
     fit = calibrate.fit(study, cells, ["speed_um_per_h", "straightness"])
     fit.write("fit")                                      # fit/report.html, and tables
     fit.next(40, "second.toml")                           # points where cells are like the measured ones, ready to run
+    found = calibrate.compare(study, cells, treated, ["speed_um_per_h"])    # which parameter must differ?
+    print(*found.words, sep="\\n")
 """
 from __future__ import annotations
 
 from typing import Any
 
 from .errors import ConfigurationError
+from .fit.comparison import Comparison, compare
 from .fit.fit import Emulators, emulate, fit
 from .fit.posterior import Fit
 
-__all__ = ["Emulators", "Fit", "emulate", "fit"]
+__all__ = ["Comparison", "Emulators", "Fit", "compare", "emulate", "fit"]
 
 
 def _gone(*_: Any, **__: Any) -> Any:

@@ -17,13 +17,13 @@ budget = {
     "src/validation": 2834,
     "src/study": 8298,
     "apps": 5640,
-    "python": 7159,
+    "python": 7924,
     "R": 751,
     "web": 1258,
     "viewer/src": 10603,
 }
 wide = {"python": 336, "R": 45, "web": 58, "viewer/src": 222}  # lines of more than 120 columns
-most_files = 1267
+most_files = 1276
 endings = (".cpp", ".hpp", ".h", ".py", ".ts", ".css", ".mjs", ".R")
 
 

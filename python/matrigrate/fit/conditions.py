@@ -3,7 +3,7 @@ from __future__ import annotations
 
 import os
 import tomllib
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
@@ -141,6 +141,25 @@ def _runs(table: pandas.DataFrame, parameters: list[str], study: Study | None = 
     table = table.reset_index(drop=True)
     return Runs(table, parameters, table.drop_duplicates("point")[parameters].reset_index(drop=True),
                 {} if study is None else dict.fromkeys(table["run"], study))
+
+
+def parameters_of(argument: str, given: Iterable[str], varying: Sequence[str],
+                  fixed: Mapping[str, float]) -> tuple[dict[str, str], list[str]]:
+    """By the names that were given the columns of a study, and faults. A path without its unit is a name, too.
+
+    :param varying: columns of parameters   :param fixed: those that have one value
+    """
+    found, faults = {}, []
+    for name in given:
+        match = [column for column in varying
+                 if name == column or ((one := words.parameter_of(column)) is not None and one.path == name)]
+        if match:
+            found[name] = match[0]
+            continue
+        is_one = name in fixed or words.parameter_of(str(name)) is not None
+        why = "has no range in the study" if is_one else "is no parameter of the study"
+        faults.append(f"{argument}: {name}: {why}, which varies {', '.join(varying)}")
+    return found, faults
 
 
 def document_of(study: Study) -> dict[str, Any]:

@@ -58,7 +58,7 @@ class Emulators:
         :raises ConfigurationError: with all that is wrong
         """
         wanted = measurement(measured, self.names, besides)
-        faults, own = _discrepancies(discrepancy, {"": self.names})
+        faults, own = discrepancies(discrepancy, {"": self.names})
         if faults := faults + size_faults(wanted.table, self.points.values):
             raise ConfigurationError("\n".join(faults))
         return joint([Part("", self, wanted, own, measured)], [], seed)
@@ -116,7 +116,7 @@ def fit(study: Source | Mapping[str, Source], measured: Any = None, readouts: Se
     if unknown := [f"besides: {name}: nothing was measured under such a condition" for name in more if name not in given]:
         raise ConfigurationError("\n".join(unknown))
     wanted = _each(given, lambda name: measurement(given[name], _names(given[name], readouts, more.get(name)), more.get(name)))
-    faults, own = _discrepancies(discrepancy, {name: list(one.table.index) for name, one in wanted.items()})
+    faults, own = discrepancies(discrepancy, {name: list(one.table.index) for name, one in wanted.items()})
     kept = _held_back(wanted, held_back)
     runs = runs_of(study, list(given) if several else [], list(arguments.mapping("prior", prior, "a dictionary of ranges")))
     intervals = {name: one.interval if isinstance(one, tracks.Tracks) else interval for name, one in given.items()}
@@ -254,7 +254,8 @@ def beyond(values: Array, ends: tuple[float, float], is_log: bool) -> str:
     return " and ".join(sides)
 
 
-def _discrepancies(given: Mapping[str, float] | None, names: Mapping[str, Sequence[str]]) -> tuple[list[str], dict[str, float]]:
+def discrepancies(given: Mapping[str, float] | None,
+                  names: Mapping[str, Sequence[str]]) -> tuple[list[str], dict[str, float]]:
     """Standard errors of the model, by the names of numbers or of read-outs; and faults.  :param names: of read-outs, by condition"""
     own = dict(arguments.mapping("discrepancy", given, "a dictionary of standard errors"))
     known = {wanted for condition, readouts in names.items() for name in readouts for wanted in (name, words.at(name, condition))}

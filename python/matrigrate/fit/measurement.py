@@ -20,8 +20,8 @@ from .conditions import Runs, require_study, runs_of
 if TYPE_CHECKING:
     import pandas
 
-_means = ("speed_um_per_h", "v_migr_abs_um_per_h", "straightness", "directionality_ratio", "turning_angle_deg",
-          "turning_cosine")  # of tracks: their expectation does not depend on the number of tracks
+means_of_tracks = ("speed_um_per_h", "v_migr_abs_um_per_h", "straightness", "directionality_ratio", "turning_angle_deg",
+                   "turning_cosine")  #: read-outs of tracks whose expectation does not depend on the number of tracks
 
 _least_widths, _most_widths = 1e-9, 1e6  # of the range of simulated values, for measured values and their errors
 
@@ -266,7 +266,7 @@ def differences(points: Points, wanted: Measurement) -> list[str]:
     """In what simulated and measured tracks differ, where a read-out depends on it."""
     notes = []
     few = int(points.runs.min(initial=0))
-    biased = [name for name in wanted.table.index if name in motility.meanings() and name not in _means]
+    biased = [name for name in wanted.table.index if name in motility.meanings() and name not in means_of_tracks]
     if biased and few != wanted.cells:
         notes.append(f"{', '.join(biased)}: depends on the number of tracks; a point has {few}, "
                      + (f"{wanted.cells} were measured" if wanted.cells else "give it as many as were measured"))

@@ -19,6 +19,7 @@ from ..draw.words import blue, grey, red
 if TYPE_CHECKING:
     import pandas
 
+    from .comparison import Comparison
     from .emulator import Array, Prior
     from .posterior import Fit
     from ..tracks import Tracks
@@ -34,6 +35,14 @@ figcaption,small,dt{color:var(--soft)}li{margin:.2rem 0}dl{display:grid;grid-tem
 _heads = {"prior_5": "prior 5 %", "prior_95": "prior 95 %", "posterior_5": "5 %", "posterior_50": "50 %", "posterior_95": "95 %", "at_bound": "at bound",
           "standard_error": "standard error", "posterior_mean": "posterior mean", "first_5": "first 5 %", "first_95": "first 95 %",
           "total_5": "total 5 %", "total_95": "total 95 %"}
+_compared_heads = {"ratio_5": "treated over control, 5 %", "ratio_50": "50 %", "ratio_95": "95 %",
+                   "times": "times as likely as nothing",
+                   "over_nothing": "score over nothing", "over_nothing_error": "±",
+                   "over_everything": "score over everything", "over_everything_error": "± ",
+                   "effective_sample_size": "independent draws", "nothing": "if nothing differs",
+                   "first": "if the most probable one differs", "everything": "if everything differs"}
+_compared_caption = ("Left: treated over control, if it alone differs (90 % of the posterior, and its median). "
+                     "Right: cross-validated logarithmic score over that of nothing, with its standard error")
 
 
 def document(heading: str, facts: Iterable[tuple[str, str]], body: str) -> str:
@@ -340,4 +349,54 @@ def _sobol(fit: Fit) -> Any:
         ax.set_title(wrapped(parameter, 22), fontsize=8)
         ax.set_xlim(0, 1.05)
     axes[0].invert_yaxis()
+    return made
+
+
+def page_of_comparison(found: Comparison) -> str:
+    """report.html: it needs no other file and no network."""
+    parts = []
+    for group in found.table["group"].unique():
+        own = found.table[found.table["group"] == group].drop(columns="group").set_index("differs")
+        readouts = found.readouts[found.readouts["group"] == group]
+        names = [f"{name} at {cells}" for name, cells in zip(readouts["readout"], readouts["cells"], strict=True)]
+        readouts = readouts.drop(columns=["group", "cells", "readout"]).set_axis(names)
+        words = [word.removeprefix(f"{group}: ") for word in found.words if word.startswith(f"{group}: ")]
+        parts.append(f"""<h2>{html.escape(group)} beside control</h2>
+<ul>{_items(words)}</ul>
+{figure(lambda own=own: _treated_over_control(own), _compared_caption)}
+{table(own, _compared_heads)}
+{table(readouts, _compared_heads)}""")
+    notes = f"<h2>Notes</h2><ul>{_items(found.notes)}</ul>" if found.notes else ""
+    return document("Which parameter differs?", found.source.items(), f"""{''.join(parts)}
+<p><small><i>times</i>: how many times as likely the data are as if nothing differs (Bayes factor).
+<i>probability</i>: of a parameter, if just one differs and each was as probable before. <i>candidate</i>: one of the
+fewest parameters that have 95 % of this probability; none if nothing differs. <i>score</i>: logarithm of the density of
+each measured cell, or number, as all others predict it, summed up. <i>p</i>: share of data farther from what is
+predicted than those measured; below 0.05 the hypothesis does not explain them. Last table: what was
+measured, and what is predicted.</small></p>{notes}""")
+
+
+def _items(texts: Iterable[str]) -> str:
+    return "".join(f"<li>{note(text)}</li>" for text in texts)
+
+
+def _treated_over_control(own: pandas.DataFrame) -> Any:
+    """A row a parameter, the most probable first."""
+    rows = own[np.isfinite(own["probability"])].sort_values("probability", ascending=False)
+    made, at = new(9.0, 1.0 + 0.5 * len(rows)), np.arange(len(rows))
+    left, right = made.subplots(1, 2, sharey=True)
+    colours = np.where(rows["candidate"].to_numpy(bool), blue, grey)
+    low, middle, high = (rows[f"ratio_{q}"].to_numpy(float) for q in (5, 50, 95))
+    left.hlines(at, low, high, color=colours, linewidth=4)
+    left.scatter(middle, at, color=colours, zorder=3)
+    left.axvline(1, color=grey, linewidth=0.8)
+    if np.isfinite(low).any() and np.nanmin(low) > 0:
+        left.set_xscale("log")
+        _words.plain_decades(left.xaxis, float(min(np.nanmin(low), 0.9)), float(max(np.nanmax(high), 1.1)))
+    left.set_xlabel("treated over control")
+    left.set_yticks(at, [f"{wrapped(name, 34)}: {share:.2g}" for name, share in rows["probability"].items()])
+    left.invert_yaxis()
+    right.errorbar(rows["over_nothing"], at, xerr=rows["over_nothing_error"], fmt="o", color=red, ecolor=red)
+    right.axvline(0, color=grey, linewidth=0.8)
+    right.set_xlabel("score over that of nothing")
     return made
