@@ -2,6 +2,7 @@
 #include "apps/verbs.hpp"
 #include "base/failure.hpp"
 #include "claims/shipped_studies.hpp"
+#include "parameters/changes.hpp"
 #include "parameters/closures.hpp"
 #include "parameters/laws/law.hpp"
 #include "parameters/read.hpp"
@@ -52,6 +53,7 @@ void look_at_model(const Parameters& p, Finding& found) {
   for (const std::string& note : {of_set, run::note_of_scenario(p), run::note_of_drag(p)})
     if (!note.empty()) found.notes.push_back(note);
   for (std::string& note : law_notes(p)) found.notes.push_back(std::move(note));
+  for (const ChangeWords& change : words_of_changes(p)) found.notes.push_back(to_text(change));
 }
 
 Finding look_at(const std::string& file, const std::vector<std::string>& overrides) {

@@ -3,6 +3,7 @@
 #include "base/file.hpp"
 #include "draw/particle_picture.hpp"
 #include "draw/text_plot.hpp"
+#include "parameters/changes.hpp"
 #include "parameters/laws/law.hpp"
 #include "parameters/read.hpp"
 #include "run/estimate.hpp"
@@ -186,6 +187,7 @@ Json to_json(const ExplainArguments& options, const Parameters& p, const Derived
           {"fields", fields_json(p)},
           {"laws", run::laws_json(p)},
           {"law_ranges", ranges_json(p)},
+          {"changes", run::changes_json(p)},
           {"memory_estimate_bytes", d.cost.memory_bytes},
           {"disk_estimate_bytes", d.cost.disk_bytes},
           {"wall_time_estimate_s", d.cost.wall_time},
@@ -237,6 +239,8 @@ int explain(const ExplainArguments& options) {
     return done;
   }
   print(description(p, d) + laws_text(p));
+  if (!p.changes.empty()) print("\n");
+  for (const ChangeWords& change : words_of_changes(p)) print(to_text(change) + "\n");
   for (const std::string& warning : found)
     print(fmt::format("\n{} {}\n", coloured("WARNING:", Colour::warning, Stream::out), warning));
   return done;

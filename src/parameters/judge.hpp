@@ -14,7 +14,9 @@ struct Judged {
   double number = 0.0; ///< in the documented unit; 0 of what is no real number
 };
 
-/// @param path  of a parameter, or cells.x and cells.y of the keys of [[cells]]
+/// @param path  of a parameter; cells.x and cells.y of the keys of [[cells]]; changes.at, and "changes." before the
+/// path
+///              of a parameter, of [[changes]]
 Judged judged(std::string_view path, const Given& value);
 
 /// What is wrong with the name of a parameter, or of a section, that nothing has.

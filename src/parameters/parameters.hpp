@@ -253,6 +253,13 @@ struct CellStart {
   double y = 0.0; ///< of its centre [um]
 };
 
+/// A parameter that gets another value in the middle of a run (parameters/changes.hpp).
+struct TimedChange {
+  double at = 3.0 * 3600.0; ///< holds in steps that begin then or later [s]
+  std::string path;         ///< of the parameter
+  std::string value;        ///< as it stands in a scenario file
+};
+
 /// What the file of another version says beyond the parameters. No parameter: no result depends on it.
 struct Origin {
   std::string version; ///< of the program that wrote the file, if its model is another (parameters/version.hpp)
@@ -276,7 +283,8 @@ struct Parameters {
   LawParameters laws;
   OutputParameters output;
   SolverParameters solver;
-  std::vector<CellStart> cells; ///< of several cells; empty: one, which starts at (cell.start_x, cell.start_y)
+  std::vector<CellStart> cells;     ///< of several cells; empty: one, which starts at (cell.start_x, cell.start_y)
+  std::vector<TimedChange> changes; ///< in the order of their times
 
   /// No parameter: what was read of the files that fields name, kept by readers and shared by copies
   /// (fields/grids.hpp).

@@ -4,6 +4,7 @@
 #include "fields/file_words.hpp"
 #include "fields/grids.hpp"
 #include "parameters/assign.hpp"
+#include "parameters/changes.hpp"
 #include "parameters/document.hpp"
 #include "parameters/fault_list.hpp"
 #include "parameters/gone.hpp"
@@ -15,6 +16,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <deque>
+#include <limits>
 #include <map>
 #include <set>
 #include <stdexcept>
@@ -26,82 +30,22 @@ namespace matrigrate {
 
 namespace {
 
-constexpr std::string_view form = "write [[cells]] and below it x and y, for each cell";
-
-const Row* row_of(std::string_view key) {
-  const auto row = std::ranges::find(cell_rows(), key, key_of);
-  return row == cell_rows().end() ? nullptr : &*row;
-}
-
-std::vector<std::string> known_keys() {
-  std::vector<std::string> keys;
-  for (const Row& row : cell_rows()) keys.emplace_back(key_of(row));
-  return keys;
-}
-
-void read_cell(const toml::table& table, const std::string& cell, CellsRead& read) {
-  Parameters one;
-  for (const auto& [name, node] : table) {
-    const std::string key(name.str());
-    const std::string path = fmt::format("{}.{}", cell, excerpt(key, 60));
-    if (const Row* row = row_of(key)) {
-      if (std::string fault = assign(*row, given_by(node), one); !fault.empty())
-        read.faults.push_back({node.source(), path, std::move(fault)});
-      continue;
-    }
-    const std::string hint = find_row("cell." + key) != nullptr
-                                 ? fmt::format("; all cells are alike, with cell.{} of the section [cell]", key)
-                                 : did_you_mean(nearest(key, known_keys()));
-    read.faults.push_back({name.source(), path, fmt::format("there is no such key; a cell has x and y{}", hint)});
-  }
-  for (const Row& row : cell_rows())
-    if (!table.contains(key_of(row)))
-      read.faults.push_back(
-          {table.source(), cell, fmt::format("has no {0}; write it like {0} = \"40 um\"", key_of(row))});
-  read.starts.push_back(one.cells.empty() ? CellStart{} : one.cells.front());
-  read.places.push_back(table.source());
-}
-
-} // namespace
-
-std::string cell_key(std::size_t cell) { return fmt::format("cells[{}]", cell + 1); }
-
-CellsRead read_cells(const toml::node& node) {
-  CellsRead read;
-  const auto refuse = [&](std::string message) {
-    read.faults.push_back({node.source(), "cells", std::move(message)});
-    return read;
-  };
-  const toml::array* cells = node.as_array();
-  if (cells == nullptr)
-    return refuse(fmt::format("is {}, but an array of tables is expected; {}", type_of(node), form));
-  if (cells->empty())
-    return refuse("is empty; leave it out for one cell at cell.start_x, cell.start_y, or " + std::string(form));
-  if (cells->size() > max_cells)
-    return refuse(fmt::format("has {} cells; allowed are 1 to {}", cells->size(), max_cells));
-  for (std::size_t k = 0; k < cells->size(); ++k) {
-    const toml::node& one = *cells->get(k);
-    if (const toml::table* table = one.as_table())
-      read_cell(*table, cell_key(k), read);
-    else
-      read.faults.push_back(
-          {one.source(), cell_key(k), fmt::format("is {}, but a table is expected; {}", type_of(one), form)});
-  }
-  return read;
-}
-
-namespace {
-
 /// True for a picture of which the directions are taken.
 bool names_directions(const std::string& text) {
   const auto words = fields::file_words(text);
   return words && words->options.contains("direction");
 }
 
+const std::string command_line = "--set";
+constexpr std::string_view form_of_changes =
+    "write [[changes]] and below it at = \"3 h\" and the parameters that change then";
+constexpr std::size_t max_changes = 1000;
 constexpr std::size_t largest_file = std::size_t{1} << 20;
 constexpr std::size_t longest_override = 4096;
-const std::string command_line = "--set";
 const std::string all_constants = "laws.constants";
+
+/// The key by which rules know a path: of a constant of the laws that of all.
+std::string rule_key(const std::string& path) { return constant_name(path).empty() ? path : all_constants; }
 
 /// Where a value was given.
 struct Place {
@@ -110,7 +54,16 @@ struct Place {
   int column = 0;
 };
 
+/// Where a change was given.
+struct ChangePlace {
+  std::string key; ///< "changes[1]."
+  Place time;
+  Place value;
+};
+
+/// Without a line on the command line.
 Place place_of(const std::string& file, const toml::source_region& source) {
+  if (file == command_line) return {file};
   return {file, static_cast<int>(source.begin.line), static_cast<int>(source.begin.column)};
 }
 
@@ -137,7 +90,7 @@ public:
   void read_text(std::string_view text) {
     auto document = parse_document(text, m_faults.file());
     if (auto* fault = std::get_if<Fault>(&document)) return refuse(std::move(*fault));
-    const auto& table = std::get<toml::table>(document);
+    const toml::table& table = m_documents.emplace_back(std::move(std::get<toml::table>(document)));
     const toml::node* version = table.get("version"); // first, since what is unknown depends on it
     if (version != nullptr) take_version(*version, place_of(m_faults.file(), version->source()));
     m_resolved = version != nullptr || text.starts_with(resolved_head);
@@ -166,7 +119,7 @@ public:
     if (unreadable(toml)) return complain("is no text, or nested too deeply");
     const Place place{command_line};
     try {
-      const toml::table table = toml::parse(toml);
+      const toml::table& table = m_documents.emplace_back(toml::parse(toml));
       if (const std::optional<Fault> fault = fault_of_texts(table, command_line)) return complain(fault->message);
       if (table.size() == 1) return take(key, *table.get("value"), place);
     } catch (const toml::parse_error&) { // not TOML: the bare form
@@ -181,6 +134,7 @@ public:
       check_cells();
       check_rules(rules());
       check_rules(more);
+      check_changes(more);
       if (!more.empty()) check_gone();
     }
     m_faults.raise();
@@ -200,6 +154,7 @@ private:
     follow_earlier_version();
     follow_curvature_profile();
     follow_integrator();
+    read_changes();
   }
 
   /// A resolved file without a key was written when there was no such key.
@@ -268,8 +223,10 @@ private:
     m_faults.add(std::move(fault));
   }
 
-  void complain(const Place& place, const std::string& key, std::string message, FaultList::Hint hint = {}) {
-    m_blamed.insert(constant_name(key).empty() ? key : all_constants);
+  /// @param path  within a change that of its parameter
+  void complain(const Place& place, const std::string& path, std::string message, FaultList::Hint hint = {}) {
+    const std::string key = m_within + path;
+    m_blamed.insert(m_within.empty() ? rule_key(path) : key);
     m_faults.add({place.file, place.line, place.column, excerpt(key, 80), std::move(message)}, std::move(hint));
   }
 
@@ -279,8 +236,8 @@ private:
       const auto* nested = node.as_table();
       const std::string path = section.empty() ? key : fmt::format("{}.{}", section, key);
       const Place place = place_of(file, name.source());
-      if (path == "version") continue; // taken before
-      if (find_row(path) != nullptr || find_gone(path) != nullptr || path == "cells")
+      if (path == (m_within.empty() ? "version" : "at")) continue; // taken before
+      if (find_row(path) != nullptr || find_gone(path) != nullptr || path == "cells" || path == "changes")
         take(path, node, place_of(file, node.source()));
       else if (nested != nullptr && is_section(path))
         visit(*nested, path, file);
@@ -313,15 +270,25 @@ private:
   }
 
   void take(const std::string& path, const toml::node& node, const Place& place) {
+    if (path == "changes" || (path == "cells" && !m_within.empty())) return take_changes(path, node, place);
     if (path == "cells") return take_cells(node, place);
     const Row* row = find_row(path, m_parameters);
     const Gone* has_gone = find_gone(path);
+    if (!m_within.empty() && path == all_constants && node.is_table()) { // a change sets one, and leaves the others
+      for (const auto& [name, one] : *node.as_table())
+        take(fmt::format("{}.{}", all_constants, name.str()), one, place_of(place.file, one.source()));
+      return;
+    }
     if (row == nullptr && !constant_name(path).empty())
       return complain(place, path, unknown_constant(path, m_parameters));
     if (row == nullptr && has_gone == nullptr) return unknown(path, false, place);
-    m_given.insert_or_assign(constant_name(path).empty() ? path : all_constants, place);
+    m_given.insert_or_assign(m_within.empty() ? rule_key(path) : path, place);
+    if (row != nullptr && !m_within.empty())
+      if (std::string reason = fixed_in_run(*row, m_parameters); !reason.empty())
+        return complain(place, path, std::move(reason));
     if (has_gone != nullptr) {
-      if (m_resolved && place.file != command_line) return keep_gone(*has_gone, gone_value(node), place);
+      if (m_resolved && m_within.empty() && place.file != command_line)
+        return keep_gone(*has_gone, gone_value(node), place);
       if (std::string fault = fault_of_gone(*has_gone, node); !fault.empty()) complain(place, path, std::move(fault));
       return;
     }
@@ -356,13 +323,121 @@ private:
     m_parameters.cells = std::move(read.starts);
     m_given.insert_or_assign("cells", place);
     m_cell_places.clear();
-    const auto within = [&](const toml::source_region& source) {
-      return place.file == command_line ? place : place_of(place.file, source);
-    };
-    for (const toml::source_region& source : read.places) m_cell_places.push_back(within(source));
+    for (const toml::source_region& source : read.places) m_cell_places.push_back(place_of(place.file, source));
     for (CellsRead::Fault& fault : read.faults) {
       m_blamed.insert("cells");
-      complain(within(fault.place), fault.key, std::move(fault.message));
+      complain(place_of(place.file, fault.place), fault.key, std::move(fault.message));
+    }
+  }
+
+  /// What a change is called in faults.
+  static std::string change_key(std::size_t k) { return fmt::format("changes[{}]", k + 1); }
+
+  /// Keeps [[changes]] until all else is read: what they mean depends on it.
+  void take_changes(const std::string& path, const toml::node& node, const Place& place) {
+    if (!m_within.empty())
+      return complain(place, path, "cannot stand in a change; write below `at` parameters with their new values");
+    m_given.insert_or_assign(path, place);
+    m_changes = node.as_array();
+    if (m_changes == nullptr)
+      return complain(place, path,
+                      fmt::format("is {}, but an array of tables is expected; {}", type_of(node), form_of_changes));
+    if (m_changes->size() <= max_changes) return;
+    complain(place, path, fmt::format("has {} tables; allowed are up to {}", m_changes->size(), max_changes));
+    m_changes = nullptr;
+  }
+
+  /// The tables in the order of their times, each set on what holds before it.
+  void read_changes() {
+    if (m_changes == nullptr) return;
+    const std::string file = m_given.at("changes").file;
+    std::multimap<double, std::size_t> order;
+    for (std::size_t k = 0; k < m_changes->size(); ++k)
+      if (const toml::table* table = m_changes->get(k)->as_table())
+        order.emplace(time_of_change(*table, change_key(k), file), k);
+      else
+        complain(place_of(file, m_changes->get(k)->source()), change_key(k),
+                 fmt::format("is {}, but a table is expected; {}", type_of(*m_changes->get(k)), form_of_changes));
+    m_parameters.changes.clear();
+    Parameters now = m_parameters;
+    std::vector<TimedChange> changes;
+    for (const auto& [at, k] : order) {
+      m_within = change_key(k) + ".";
+      read_change(*m_changes->get(k)->as_table(), at, file, now, changes);
+    }
+    m_within.clear();
+    m_parameters.changes = std::move(changes);
+  }
+
+  /// @return infinity, and a fault, if a table has no good time [s]
+  double time_of_change(const toml::table& table, const std::string& key, const std::string& file) {
+    const toml::node* at = table.get("at");
+    Parameters one;
+    std::string fault =
+        at == nullptr ? "has no time; write it like at = \"3 h\"" : assign(change_time(), given_by(*at), one);
+    if (fault.empty()) return one.changes.front().at;
+    complain(place_of(file, (at == nullptr ? table : *at).source()), at == nullptr ? key : key + ".at",
+             std::move(fault));
+    return std::numeric_limits<double>::infinity();
+  }
+
+  /// @param now  what holds before the change, and then after it
+  void read_change(const toml::table& table, double at, const std::string& file, Parameters& now,
+                   std::vector<TimedChange>& changes) {
+    const std::size_t faults = m_blamed.size();
+    std::map<std::string, Place, std::less<>> given;
+    std::swap(given, m_given);
+    std::swap(now, m_parameters);
+    visit(table, "", file);
+    std::swap(now, m_parameters);
+    std::swap(given, m_given);
+    if (given.empty() && m_blamed.size() == faults)
+      complain(place_of(file, table.source()), "at",
+               "nothing changes then; write below it a parameter with its new value, such as "
+               "ecm.youngs_modulus = \"100 Pa\"");
+    for (const auto& [path, place] : given) {
+      const Row* row = find_row(path, now);
+      if (row == nullptr || m_blamed.contains(m_within + path) || !std::isfinite(at)) {
+        m_blamed_later.insert(rule_key(path));
+        continue;
+      }
+      const auto is_same = [&](const TimedChange& other) { return other.at == at && other.path == path; };
+      if (std::ranges::any_of(changes, is_same))
+        complain(place, path, "has two values at one time; leave one of them out");
+      changes.push_back({at, path, value_text(*row, now)});
+      m_change_places.push_back({m_within, place_of(file, table.get("at")->source()), place});
+    }
+  }
+
+  /// The faults of times, and the rules on the values from each of them on that these decide.
+  void check_changes(std::span<const Rule> more) {
+    const std::vector<TimedChange>& changes = m_parameters.changes;
+    const auto add = [&](std::size_t k, Place ChangePlace::*which, const std::string& key, std::string message) {
+      const ChangePlace given = k < m_change_places.size() ? m_change_places[k] : ChangePlace{"changes.", {}, {}};
+      const Place& place = given.*which;
+      m_faults.add({place.file, place.line, place.column, given.key + key, std::move(message)});
+    };
+    if (!m_blamed.contains("run.duration") && !m_blamed.contains("run.time_step"))
+      for (ChangeFault& fault : change_faults(m_parameters))
+        add(fault.change, &ChangePlace::time, "at", std::move(fault.message));
+    std::size_t first = 0;
+    for (const Period& period : periods(m_parameters)) {
+      const std::size_t end = std::ranges::find_if(changes.begin() + first, changes.end(),
+                                                   [&](const TimedChange& c) { return c.at > period.from; })
+                              - changes.begin();
+      Judgement judgement;
+      for (const std::span<const Rule> which : {rules(), more})
+        for (const Rule& rule : which) {
+          std::size_t k = first;
+          while (k < end && std::ranges::find(rule.keys, rule_key(changes[k].path)) == rule.keys.end()) ++k;
+          if (k == end || m_broken.contains(rule.name)) continue;
+          if (is_blamed(rule, m_blamed) || is_blamed(rule, m_blamed_later)) continue;
+          const std::string fault = judgement(rule, period.p, [&](const Rule& r) { return r.broken(period.p); });
+          if (fault.empty()) continue;
+          add(k, &ChangePlace::value, changes[k].path,
+              fmt::format("from {} on: {}", period.when, said_of(rule, changes[k].path, fault)));
+        }
+      first = end;
     }
   }
 
@@ -377,15 +452,20 @@ private:
     }
   }
 
+  static bool is_blamed(const Rule& rule, const std::set<std::string, std::less<>>& keys) {
+    return std::ranges::any_of(rule.keys, [&](std::string_view key) { return keys.contains(key); });
+  }
+
   /// Only where each single value is good: otherwise the rule would judge a default that nobody chose.
   void check_rules(std::span<const Rule> which) {
     for (const Rule& rule : which) {
-      const auto blamed = [&](std::string_view key) { return m_blamed.contains(key); };
-      const bool told = rule.name == several_cells_rule && (!m_cell_places.empty() || m_blamed.contains("cells"));
-      if (told || std::ranges::any_of(rule.keys, blamed)) continue;
+      const bool told = (rule.name == several_cells_rule && (!m_cell_places.empty() || m_blamed.contains("cells")))
+                        || rule.name == change_rule; // by check_changes()
+      if (told || is_blamed(rule, m_blamed)) continue;
       const std::string fault =
           m_judgement(rule, m_parameters, [this](const Rule& r) { return r.broken(m_parameters); });
       if (fault.empty()) continue;
+      m_broken.insert(rule.name);
       const std::string key(key_to_blame(rule));
       const auto given = m_given.find(key);
       const Place place = given == m_given.end() ? Place{} : given->second;
@@ -417,6 +497,12 @@ private:
   std::vector<Place> m_cell_places;               ///< of the cells that were given
   std::set<std::string, std::less<>> m_blamed;    ///< keys with a fault of their own
   Judgement m_judgement;
+  std::set<std::string, std::less<>> m_broken;       ///< names of rules that do not hold at the start
+  std::deque<toml::table> m_documents;               ///< that were read
+  const toml::array* m_changes = nullptr;            ///< the last [[changes]] of these
+  std::string m_within;                              ///< "changes[1]." while that one is read
+  std::vector<ChangePlace> m_change_places;          ///< of Parameters::changes, if they were given
+  std::set<std::string, std::less<>> m_blamed_later; ///< paths with a fault of their own in a change
 };
 
 } // namespace

@@ -1,3 +1,4 @@
+#include "parameters/changes.hpp"
 #include "parameters/laws/constants.hpp"
 #include "parameters/laws/law_names.hpp"
 #include "parameters/laws/law_units.hpp"
@@ -214,7 +215,8 @@ bool same(const Parameters& a, const Parameters& b) {
                             [&](auto member) { return member(p) == member(q); }},
                       row.member);
   };
-  return std::ranges::all_of(schema(), agrees) && cells_text(a) == cells_text(b) && a.origin.gone == b.origin.gone;
+  return std::ranges::all_of(schema(), agrees) && cells_text(a) == cells_text(b) && changes_text(a) == changes_text(b)
+         && a.origin.gone == b.origin.gone;
 }
 
 std::vector<CellStart> cell_starts(const Parameters& p) {

@@ -1,5 +1,6 @@
 #include "parameters/rules.hpp"
 
+#include "parameters/changes.hpp"
 #include "parameters/laws/law.hpp"
 
 #include <fmt/format.h>
@@ -234,6 +235,12 @@ std::span<const Rule> rules() {
       {"fibres have a stiffness", {"fibres.field.stiffness", "fibres.stiffness"}, fibre_stiffness},
       {"what is released diffuses", {"ecm.fields.attractant_source", "cues.diffusion"}, source},
       {"not too many steps", {"run.time_step", "run.duration"}, steps},
+      {change_rule,
+       {"run.duration", "run.time_step"},
+       [](const Parameters& p) {
+         const std::vector<ChangeFault> faults = change_faults(p);
+         return faults.empty() ? std::string() : "changes: " + faults.front().message;
+       }},
   });
   return all;
 }

@@ -96,6 +96,9 @@ std::span<const Section> sections();
 /// The keys of one table of [[cells]]; their members are those of the last of Parameters::cells.
 std::span<const Row> cell_rows();
 
+/// The key `at` of one table of [[changes]]; its member is that of the last of Parameters::changes.
+const Row& change_time();
+
 /// The part of schema() that is the sections [contact.cells] and [nucleus].
 std::span<const Row> part_rows();
 
@@ -108,6 +111,10 @@ std::span<const LawVariable> shared_arguments();
 /// What [[cells]] is about, in a sentence.
 inline constexpr std::string_view cells_title =
     "Several cells: one [[cells]] for each, with its centre; without any one cell at cell.start_x, cell.start_y";
+
+/// What [[changes]] is about, in a sentence.
+inline constexpr std::string_view changes_title = "Parameters in time: one [[changes]] for each time, with `at` and "
+                                                  "the parameters that have other values from then on";
 
 /// Largest number of cells.
 inline constexpr std::size_t max_cells = 1000;

@@ -19,11 +19,16 @@ constexpr Range beyond(double low, double high) { return {low, high, false, true
 double& start_x(Parameters& p) { return (p.cells.empty() ? p.cells.emplace_back() : p.cells.back()).x; }
 double& start_y(Parameters& p) { return (p.cells.empty() ? p.cells.emplace_back() : p.cells.back()).y; }
 
+double& time_of_change(Parameters& p) { return (p.changes.empty() ? p.changes.emplace_back() : p.changes.back()).at; }
+
 // clang-format off
 constexpr std::array rows_of_cells{
     Row{"cells.x", start_x, "um", from(-2000, 2000), "", by_us, "x of a cell's centre at the start"},
     Row{"cells.y", start_y, "um", from(-2000, 2000), "", by_us, "y of a cell's centre at the start"},
 };
+
+constexpr Row row_of_change{"changes.at", time_of_change, "h", beyond(0, 8760), "", by_us,
+                            "Time from which on the parameters below it hold; a multiple of run.time_step before run.duration"};
 
 constexpr std::array rows_of_parts{
     Row{"contact.cells.repulsion", [](Parameters& p) -> double& { return p.contact.cells.repulsion; }, "Pa", beyond(0, 1e7),
@@ -63,6 +68,8 @@ constexpr std::array rows_of_parts{
 } // namespace
 
 std::span<const Row> cell_rows() { return rows_of_cells; }
+
+const Row& change_time() { return row_of_change; }
 
 std::span<const Row> part_rows() { return rows_of_parts; }
 

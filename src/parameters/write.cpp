@@ -1,15 +1,18 @@
 #include "parameters/write.hpp"
 
+#include "parameters/changes.hpp"
 #include "parameters/gone.hpp"
 #include "parameters/laws/constants.hpp"
 #include "parameters/schema.hpp"
 #include "parameters/version.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <iterator>
 #include <string_view>
 #include <utility>
 
@@ -163,6 +166,25 @@ std::string cell_tables(const Parameters& p) {
   return text;
 }
 
+/// [[changes]], an array of tables: its time, and what a section of a scenario may hold. The program says what cannot
+/// change.
+Json changes_schema() {
+  Json table{{"type", "object"}, {"additionalProperties", false}, {"required", {"at"}}};
+  table["properties"]["at"] = row_schema(change_time());
+  for (const Section& section : sections())
+    if (section.name.find('.') == std::string_view::npos && section.name != "run" && section.name != "output")
+      table["properties"][std::string(section.name)] = {{"$ref", fmt::format("#/properties/{}", section.name)}};
+  return {{"type", "array"}, {"description", changes_title}, {"items", std::move(table)}};
+}
+
+/// A table [[changes]] for each time of change.
+std::string change_tables(const Parameters& p) {
+  std::string text;
+  for (const std::vector<std::string>& lines : lines_of_changes(p))
+    text += fmt::format("\n[[changes]]\n{}\n", fmt::join(lines, "\n"));
+  return text;
+}
+
 /// A source as the page of parameters has it: a table or section of the paper without the paper's name, nothing for
 /// what was chosen for this program.
 std::string_view short_source(std::string_view source) {
@@ -184,7 +206,7 @@ std::string to_toml(const Parameters& p) {
   std::string text = fmt::format("{}version = \"{}\"\n", resolved_head, this_version);
   for_each_section([&](const Section& s) { text += fmt::format("\n# {}\n[{}]\n", s.title, s.name); },
                    [&](const Row& row) { text += comment(row) + assignment(row, p); });
-  return text + cell_tables(p);
+  return text + cell_tables(p) + change_tables(p);
 }
 
 std::string values_text(const Parameters& p) {
@@ -203,7 +225,15 @@ std::string values_text(const Parameters& p) {
     for (const Gone& parameter : gone())
       if (parameter.behind == row.path) text += fmt::format("{} = {}\n", parameter.path, value_of_gone(parameter));
   }
-  return p.cells.empty() ? text : text + fmt::format("cells = {}\n", cells_text(p));
+  if (!p.cells.empty()) text += fmt::format("cells = {}\n", cells_text(p));
+  const std::vector<Period> all = periods(p);
+  auto period = all.begin();
+  for (const TimedChange& change : p.changes) {
+    while (std::next(period) != all.end() && std::next(period)->from <= change.at) ++period;
+    text += fmt::format("from {} s: {} = {}\n", change.at, change.path,
+                        meaning_text(*find_row(change.path, period->p), period->p));
+  }
+  return text;
 }
 
 std::string new_scenario(const Preset& preset, const std::string& schema) {
@@ -242,6 +272,7 @@ std::string json_schema() {
                      section_schema(file, section_of(row))["properties"][std::string(key_of(row))] = row_schema(row);
                    });
   file["properties"]["cells"] = cells_schema();
+  file["properties"]["changes"] = changes_schema();
   file["properties"]["version"] = {
       {"type", "string"},
       {"description", "In files that the program writes: its version. A parameter that such a file lacks has the value "
@@ -290,7 +321,14 @@ std::string parameters_markdown() {
                       cells_title, max_cells);
   for (const Row& row : cell_rows())
     text += fmt::format("| `{}` | {} | {} |\n", key_of(row), cell(allowed_text(row)), cell(row.description));
-  return text;
+  return text
+         + fmt::format(
+             "\n## [[changes]] {}\n\n"
+             "Up to 1000 tables, in any order. Below `at` stand parameters as `section.key = value`; those of "
+             "`[run]` and `[output]`, fields, and what the bodies are made with cannot change: "
+             "[Parameters in time](how-to/treatment-in-time.md).\n\n"
+             "| key | allowed | meaning |\n|---|---|---|\n| `at` | {} | {} |\n",
+             changes_title, cell(allowed_text(change_time())), cell(change_time().description));
 }
 
 } // namespace matrigrate

@@ -3,6 +3,7 @@
 #include "base/failure.hpp"
 #include "base/file.hpp"
 #include "base/text.hpp"
+#include "parameters/changes.hpp"
 #include "parameters/read.hpp"
 #include "parameters/schema.hpp"
 #include "parameters/version.hpp"
@@ -140,12 +141,16 @@ double begin_of(const BranchOptions& how, const Origin& origin, const Parameters
 }
 
 /// A branch without a checkpoint before it computes the past of its run anew. Warns if another build computed that.
-/// @throws ConfigurationError if a program with another model did: the past would be another
+/// @throws ConfigurationError if a program with another model did, or other parameters: the past would be another
 void require_own_past(const fs::path& from, const Json& record, const Origin& origin, RunObserver& observer) {
   std::set<std::string> programs = origin.around.programs;
   for (std::string& program : programs_of(record)) programs.insert(std::move(program));
   programs.erase(version_line());
   const std::string none = fmt::format("{} has no checkpoint at {} or before", from.string(), time_text(origin.t));
+  for (const Json& event : lineage_of(record))
+    if (const double at = event.value("at_s", 0.0); at > 0.0)
+      refuse("--at", fmt::format("{}, and it is a branch, whose past up to {} had other parameters: branch from {}",
+                                 none, time_text(at), event.value("from", "the run it came from")));
   for (const std::string& program : programs)
     if (const std::string model = model_text(version_of_program(program)); !model.empty())
       refuse("--at",
@@ -157,6 +162,18 @@ void require_own_past(const fs::path& from, const Json& record, const Origin& or
   if (!programs.empty())
     observer.warn(fmt::format("{}: its past, computed by {}, is computed anew by {}, and the bits may differ", none,
                               fmt::join(programs, " and "), version_line()));
+}
+
+/// A change of the scenario that comes later sets what an option sets for the time until then.
+void warn_of_later_changes(const Parameters& before, const Parameters& after, RunObserver& observer) {
+  for (const ChangeWords& change : words_of_changes(after)) {
+    const std::string path = change.what.substr(0, change.what.find(' '));
+    if (const Row* row = find_row(path, after); differs(*row, before, after))
+      observer.warn(
+          fmt::format("{} = {} holds until {}, when a change of the scenario sets it; --set changes=[] leaves "
+                      "such changes out",
+                      path, value_text(*row, after), change.when));
+  }
 }
 
 /// Makes the folder of a branch. A beginning of it, killed before it had a checkpoint, is removed.
@@ -178,10 +195,15 @@ RunOutcome branch(const fs::path& from, const BranchOptions& how, const RunOptio
   const Json record = record_of(from);
   const Origin origin = origin_of(from, how, observer);
   const std::optional<FoundCheckpoint>& found = origin.around.before;
-  const Parameters after = apply_overrides(before, how.overrides, found ? rules_without_fields() : start_rules());
-  if (auto faults = faults_of_change(before, after, "--set"); !faults.empty())
-    throw ConfigurationError(std::move(faults));
-  const double until = begin_of(how, origin, before, after);
+  const auto parameters_from = [&](double t) { // what holds then, with the changes to come
+    Parameters p = apply_overrides(in_force(before, t), how.overrides, found ? rules_without_fields() : start_rules());
+    if (auto faults = faults_of_change(before, p, "--set"); !faults.empty())
+      throw ConfigurationError(std::move(faults));
+    return p;
+  };
+  const double until = begin_of(how, origin, before, parameters_from(origin.t));
+  const Parameters after = parameters_from(until);
+  warn_of_later_changes(in_force(before, until), after, observer);
   RunStart start;
   if (found) {
     warn_of_other_program(*found, observer);

@@ -3,6 +3,7 @@
 #include "base/failure.hpp"
 #include "base/file.hpp"
 #include "observe/readout_table.hpp"
+#include "parameters/changes.hpp"
 #include "parameters/gone.hpp"
 #include "parameters/read.hpp"
 #include "parameters/schema.hpp"
@@ -98,6 +99,7 @@ std::vector<std::array<std::string, 3>> parameters_that_differ(const Parameters&
     if (differs(row, a, b)) list.push_back({std::string(row.path), value_text(row, a), value_text(row, b)});
   std::ranges::copy(gone_that_differ(a, b), std::back_inserter(list));
   if (cells_text(a) != cells_text(b)) list.push_back({"cells", cells_text(a), cells_text(b)});
+  if (changes_text(a) != changes_text(b)) list.push_back({"changes", changes_text(a), changes_text(b)});
   return list;
 }
 

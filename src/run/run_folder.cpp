@@ -14,12 +14,17 @@
 
 namespace matrigrate::run {
 
-RunFolder::RunFolder(const std::filesystem::path& folder, const Parameters& p, const RunRecord& record, const State& s,
-                     store::RunMemory memory, const std::filesystem::path& from)
-    : m_run{.folder = folder, .p = p, .memory = std::move(memory), .frames_from = from.empty() ? folder : from},
+RunFolder::RunFolder(const std::filesystem::path& folder, const Parameters& p, const RunRecord& record,
+                     const Simulation& simulation, store::RunMemory memory, const std::filesystem::path& from)
+    : m_run{.folder = folder,
+            .p = p,
+            .now = simulation.p,
+            .memory = std::move(memory),
+            .frames_from = from.empty() ? folder : from},
       m_lock(folder, FolderLock::Kind::alone, std::chrono::milliseconds(500)),
       m_checkpoint_cadence(p.output.checkpoint_interval, p.run.time_step),
       m_kept_cadence(p.output.kept_checkpoint_interval, p.run.time_step) {
+  const State& s = simulation.s;
   require_no_links(folder);
   remove_temporaries(folder);
   const bool is_new = m_run.memory.rows.empty();

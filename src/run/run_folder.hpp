@@ -3,6 +3,7 @@
 #include "run/cadence.hpp"
 #include "run/folder_lock.hpp"
 #include "run/output/output.hpp"
+#include "simulation/simulation.hpp"
 #include "store/saved_frames.hpp"
 
 #include <filesystem>
@@ -23,8 +24,8 @@ public:
   /// @param folder  exists; it is locked against other processes
   /// @param memory  output state of a resumed run; none for a new run
   /// @param from    the folder whose frames a branch takes over; empty: `folder`
-  RunFolder(const std::filesystem::path& folder, const Parameters& p, const RunRecord& record, const State& s,
-            store::RunMemory memory, const std::filesystem::path& from);
+  RunFolder(const std::filesystem::path& folder, const Parameters& p, const RunRecord& record,
+            const Simulation& simulation, store::RunMemory memory, const std::filesystem::path& from);
   RunFolder(const RunFolder&) = delete; // the outputs refer to m_run
   RunFolder& operator=(const RunFolder&) = delete;
 

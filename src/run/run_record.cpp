@@ -3,6 +3,7 @@
 #include "base/failure.hpp"
 #include "base/file.hpp"
 #include "base/text.hpp"
+#include "parameters/changes.hpp"
 #include "parameters/closures.hpp"
 #include "parameters/laws/law.hpp"
 #include "parameters/schema.hpp"
@@ -233,6 +234,7 @@ std::vector<report::Fact> run_facts(const Parameters& p, const Json& record, con
     const std::string constants = constants_of(*law, p);
     facts.push_back({std::string(law->path), value_text(*law, p) + (constants.empty() ? "" : ", " + constants)});
   }
+  for (const ChangeWords& change : words_of_changes(p)) facts.push_back({"from " + change.when, change.what});
   const auto commands = commands_of(record);
   for (std::size_t i = 0; i < commands.size(); ++i) add(i == 0 ? "command" : "branched by", command_text(commands[i]));
   const std::string end = text_of(record, "end");
@@ -253,6 +255,12 @@ Json laws_json(const Parameters& p) {
   return laws;
 }
 
+Json changes_json(const Parameters& p) {
+  Json list = Json::array();
+  for (const ChangeWords& change : words_of_changes(p)) list.push_back({{"at_s", change.at}, {"what", change.what}});
+  return list;
+}
+
 Json to_json(const RunRecord& record, const Parameters& p) {
   const store::LostFrames& lost = record.lost_frames;
   Json json{{"status", to_string(record.status())},
@@ -271,6 +279,7 @@ Json to_json(const RunRecord& record, const Parameters& p) {
             {"closures", closures_text(closures_of(p))},
             {"scenario_version", p.origin.version.empty() ? Json() : Json(p.origin.version)},
             {"laws", laws_json(p)},
+            {"changes", changes_json(p)},
             {"steps_without_bias", record.steps_without_bias},
             {"files", record.files},
             {"frames_lost", lost.count},

@@ -122,6 +122,9 @@ std::string bias_sentence(const nlohmann::ordered_json& record);
 /// The texts of the laws that are not the default ones, by their keys, and of the constants that they may name.
 nlohmann::ordered_json laws_json(const Parameters& p);
 
+/// [{at_s, what: "cell.spring_stiffness 2.8 -> 1.4 N/m"}]: the changes of parameters in time.
+nlohmann::ordered_json changes_json(const Parameters& p);
+
 /// What was run, when and how: scenario, stiffness, seed, closures, changed laws, the commands that started it and its
 /// branches, date, wall time, trajectory hash.
 /// @param record  as in run.json
@@ -131,9 +134,9 @@ std::vector<report::Fact> run_facts(const Parameters& p, const nlohmann::ordered
 /// {status, exit_code, reason, cause: to_string(FailureCause) or null, seed, steps, t_s, duration_s, wall_time_s,
 /// ms_per_step, trajectory_hash,
 ///  configuration_hash, closures: closures_text(), scenario_version: of the program that wrote the scenario, if its
-///  model is another, else null, laws: laws_json(), steps_without_bias, files: {name: fingerprint}, frames_lost,
-///  frames_lost_s: [first, last] or null, command_line, scenario, commands, start, end, lineage, and the keys of
-///  provenance()}
+///  model is another, else null, laws: laws_json(), changes: changes_json(), steps_without_bias, files: {name:
+///  fingerprint}, frames_lost, frames_lost_s: [first, last] or null, command_line, scenario, commands, start, end,
+///  lineage, and the keys of provenance()}
 nlohmann::ordered_json to_json(const RunRecord& record, const Parameters& p);
 
 } // namespace matrigrate::run

@@ -56,7 +56,7 @@ public:
     m_record.lineage = std::move(start.lineage);
     m_record.earlier_wall_time = start.earlier_wall_time;
     m_record.steps_without_bias = start.steps_without_bias;
-    m_folder.emplace(options.folder, m_p, m_record, m_simulation->s, std::move(start.memory), start.frames_from);
+    m_folder.emplace(options.folder, m_p, m_record, *m_simulation, std::move(start.memory), start.frames_from);
     m_record.lost_frames = m_folder->lost_frames();
     if (m_record.lost_frames.count == 0) return;
     m_folder->write_record(m_record);
@@ -139,7 +139,7 @@ private:
     m_folder->keep_checkpoints(true);
     if (!has_branched()) return;
     m_simulation->change(m_p);
-    m_folder->write_checkpoint(m_simulation->s, m_simulation->w, m_record.march_wall_time);
+    m_folder->write_checkpoint(m_simulation->s, m_simulation->w, m_record.march_wall_time, true);
   }
 
   /// To the end. Where it lies within a step, a checkpoint at the step before it is what a longer run goes on from.
@@ -147,10 +147,10 @@ private:
     State& s = m_simulation->s;
     Workspace& w = m_simulation->w;
     const double t_end = m_p.run.duration;
-    m_has_ended = march_within(s, m_p, w, t_end, each_step);
+    m_has_ended = m_simulation->march_within(t_end, each_step);
     if (!m_has_ended || !is_before(s, m_p, t_end)) return;
     m_folder->write_checkpoint(s, w, m_record.march_wall_time);
-    shorten_last_step(s, m_p, w, t_end);
+    shorten_last_step(s, m_simulation->p, w, t_end);
     m_folder->note_step(w);
     m_observer.step(s);
   }
@@ -222,7 +222,7 @@ private:
   const Clock::time_point m_begin = Clock::now(); ///< before the matrix is built
   const RunOptions& m_options;
   RunObserver& m_observer;
-  Parameters m_p; ///< of the run; those of the simulation are others until a branch begins
+  Parameters m_p; ///< of the run; those of the simulation are others until a branch begins, and from changes on
   std::optional<BranchPoint> m_before;
   bool m_new;
   double m_earlier_march_time;

@@ -1,6 +1,7 @@
 #include "simulation/simulation.hpp"
 
 #include "base/failure.hpp"
+#include "parameters/changes.hpp"
 #include "same_bits.hpp"
 #include "simulation/march.hpp"
 #include "simulation/start.hpp"
@@ -10,6 +11,7 @@
 
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 namespace matrigrate {
 namespace {
@@ -48,6 +50,56 @@ TEST(Simulation, ChangesParametersAtTheNextMultipleOfTheStep) {
   EXPECT_GE(simulation.w.health.list_builds, builds);
   simulation.march(1.6);
   EXPECT_EQ(simulation.s.step, 5U);
+}
+
+/// Two changes: one of forces, one that turns fibres on and stiffens the matrix.
+Parameters with_changes() {
+  Parameters p = small();
+  p.changes = {{2.0, "actomyosin.force", "\"2 nN\""},
+               {2.0, "ecm.viscosity", "\"3000 Pa s\""},
+               {4.0, "fibres.arrangement", "\"isotropic\""},
+               {4.0, "ecm.youngs_modulus", "\"300 Pa\""}};
+  return p;
+}
+
+TEST(Simulation, ChangesParametersInTimeAsIfByHand) {
+  Simulation simulation(with_changes()), by_hand(small()), without(small());
+  simulation.march(8.0);
+  for (const double at : {2.0, 4.0}) {
+    by_hand.march(at);
+    Parameters after = in_force(with_changes(), at);
+    after.changes.clear();
+    by_hand.change(after);
+  }
+  by_hand.march(8.0);
+  without.march(8.0);
+  EXPECT_TRUE(same_bits(simulation.s, by_hand.s));
+  EXPECT_FALSE(same_bits(simulation.s, without.s));
+  EXPECT_TRUE(simulation.p.changes.empty());
+}
+
+TEST(Simulation, ChangesParametersInTimeAlsoFromAnyStateOnTheWay) {
+  Simulation whole(with_changes());
+  std::vector<State> states{whole.s};
+  whole.march(6.0, {}, [&](const State& s) {
+    states.push_back(s);
+    return true;
+  });
+  ASSERT_EQ(states.size(), 16U);
+  for (State& state : states) {
+    Simulation later(with_changes(), state);
+    later.march(6.0);
+    EXPECT_TRUE(same_bits(later.s, whole.s)) << "from " << state.t << " s";
+  }
+}
+
+TEST(Simulation, AnObserverEndsAMarchAlsoAtATimeOfChange) {
+  Simulation simulation(with_changes());
+  simulation.march(8.0, {}, [](const State& s) { return s.t < 1.9; });
+  EXPECT_DOUBLE_EQ(simulation.s.t, 2.0);
+  EXPECT_EQ(simulation.p.actomyosin.force, small().actomyosin.force);
+  simulation.march(2.4);
+  EXPECT_EQ(simulation.p.actomyosin.force, 2.0);
 }
 
 TEST(Simulation, RefusesParametersThatTheStateWasMadeWith) {

@@ -96,6 +96,39 @@ class LikeTheProgram(common.InTemporaryFolder):
         self.assertEqual({(f.key, f.message) for f in ours.exception.faults},
                          {(f.key, f.message) for f in theirs.exception.faults})
 
+    def test_changes(self):
+        scenario = Scenario({"actomyosin.force": 0.5, "changes": [{"at": "4 h", "actomyosin": {"force": 0.5}, "laws.growth_force": 1},
+                                                                  {"at": 2, "actomyosin.force": "200 pN"}]})
+        self.assertEqual(scenario.changes[1], {"at": 2, "actomyosin.force": "200 pN"})
+        (self.folder / "washout.toml").write_text(scenario.toml())
+        matrigrate.base.program.check(self.folder / "washout.toml")
+        loaded = Scenario.load(self.folder / "washout.toml")
+        self.assertEqual(loaded, scenario)
+        self.assertEqual(scenario.copy(), scenario)
+        loaded.changes = reversed_changes = list(reversed(scenario.changes))
+        self.assertEqual(loaded, scenario, "sorted by their times")
+        loaded.changes = reversed_changes[:1]
+        self.assertNotEqual(loaded, scenario)
+        law = Scenario({"laws.growth_force": "g/h", "laws.constants": "g = 1, h = 2",
+                        "changes": [{"at": "2 h", "laws.constants.g": 3}]})
+        (self.folder / "law.toml").write_text(law.toml())
+        matrigrate.base.program.check(self.folder / "law.toml")
+        self.assertEqual(Scenario.load(self.folder / "law.toml"), law)
+        bad = {"changes": [{"at": "0 h", "cell.radius": 3, "cell": {"dashpt": 3}}, {"cell.dashpot": "1 Pa"}, {"at": "1 h"},
+                           {"at": 1, "run": {"seed": 2}, "ecm.fields.ligand": "1"}]}
+        (self.folder / "bad.toml").write_text('[[changes]]\nat = "0 h"\ncell.radius = 3\ncell.dashpt = 3\n[[changes]]\n'
+                                              'cell.dashpot = "1 Pa"\n[[changes]]\nat = "1 h"\n[[changes]]\nat = 1\n'
+                                              'run.seed = 2\necm.fields.ligand = "1"\n')
+        with self.assertRaises(matrigrate.ConfigurationError) as ours:
+            Scenario(bad)
+        with self.assertRaises(matrigrate.ConfigurationError) as theirs:
+            matrigrate.base.program.check(self.folder / "bad.toml")
+        self.assertEqual({(f.key, f.message) for f in ours.exception.faults},
+                         {(f.key, f.message) for f in theirs.exception.faults})
+        for wrong in ("3 h", [3], {"at": 3}):
+            with self.assertRaises(TypeError):
+                scenario.changes = wrong
+
     def test_many_faults_at_once(self):
         table = {"ecm": {"radius": -1, "a": 2}, "emc": {"x": 1}, "typo": 3}
         (self.folder / "bad.toml").write_text("typo = 3\n[ecm]\nradius = -1\na = 2\n[emc]\nx = 1\n")

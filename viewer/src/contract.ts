@@ -195,6 +195,13 @@ export interface ChangedLaw {
   curves: { over: string; unit: string; at: string; x: number[]; changed: (number | null)[]; usual: (number | null)[] }[];
 }
 
+/** A parameter that got another value in the middle of the run. */
+export interface TimedChange {
+  t_s: number;
+  /** "at 3 h: cell.spring_stiffness 2.8 -> 1.4 N/m" */
+  text: string;
+}
+
 export interface RunPage {
   format: "matrigrate-run";
   version: 1;
@@ -219,6 +226,8 @@ export interface RunPage {
   parameters: ChangedParameter[];
   /** Left out or empty: all are the paper's. */
   laws?: ChangedLaw[];
+  /** Left out or empty: none. */
+  changes?: TimedChange[];
   health: NamedValue[];
   /** Text with line breaks. */
   provenance: string;

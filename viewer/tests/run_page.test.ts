@@ -242,6 +242,23 @@ test("changed laws are drawn beside those of the paper", async () => {
   await page.context().close();
 });
 
+test("changes of parameters are marked on the axes of time", async () => {
+  const at = (t_s: number, text: string) => ({ t_s, text });
+  const changes = [at(0.5 * small.t_end_s, "at 1 h: a.b 1 -> 2 nN"), at(0.5 * small.t_end_s, "at 1 h: c.d 3 -> 4"), at(0.75 * small.t_end_s, "at 2 h: a.b 2 -> 1 nN")];
+  const { page, errors } = await open(browser, "run", json({ ...small, changes }));
+  for (const where of ["#path figure:has(.change) >> nth=0", "#path figure:has(.change) >> nth=1", "#protrusions figure"]) {
+    const marks = page.locator(where).locator(".change");
+    assert.deepEqual(await marks.locator("title").allTextContents(), ["at 1 h: a.b 1 -> 2 nN\nat 1 h: c.d 3 -> 4", "at 2 h: a.b 2 -> 1 nN"]);
+    assert.deepEqual(await marks.locator("text").allTextContents(), ["a", "b"]);
+  }
+  const x = await page.locator("#protrusions .change path").evaluateAll((all) => all.map((one) => Number(/M([\d.]+)/.exec(one.getAttribute("d") ?? "")?.[1])));
+  const [low, high] = [60, Number(await page.locator("#protrusions svg").getAttribute("width")) - 14];
+  assert.ok(Math.abs(x[0] - 0.5 * (low + high)) < 0.1 && Math.abs(x[1] - (low + 0.75 * (high - low))) < 0.1, String(x));
+  assert.match((await page.locator("#path").textContent()) ?? "", /Lines mark changes of parameters: a, at 1 h: a\.b 1 -> 2 nN, at 1 h: c\.d 3 -> 4; b, at 2 h: a\.b 2 -> 1 nN\./);
+  assert.deepEqual(errors, []);
+  await page.context().close();
+});
+
 test("frames that are broken are named, and the tables stay", async () => {
   const broken = structuredClone(small);
   if (broken.frames) broken.frames.particles.x.per_frame += 1;

@@ -68,6 +68,7 @@ class Scenario(Sections, Mapping[str, Value]):
         self.name = arguments.text("name", name)
         self._given: dict[str, Value] = {}
         self._cells: list[dict[str, Value]] = []
+        self._changes: list[dict[str, Value]] = []
         faults: list[Fault] = []
         given = dict(arguments.mapping("values", values))
         written = given.pop("version", None) is not None  # by a program
@@ -163,9 +164,51 @@ class Scenario(Sections, Mapping[str, Value]):
             raise ConfigurationError(faults)
         self._cells = found
 
+    @property
+    def changes(self) -> list[dict[str, Value]]:
+        """Parameters that change in the middle of a run: for each time ``at`` the values from then on, as typed.
+
+        >>> scenario = Scenario()
+        >>> scenario.changes = [{"at": "2 h", "actomyosin.force": "0.3 nN"}, {"at": 4, "actomyosin": {"force": 0.6}}]
+        >>> scenario.changes
+        [{'at': '2 h', 'actomyosin.force': '0.3 nN'}, {'at': 4, 'actomyosin.force': 0.6}]
+        """
+        return [dict(change) for change in self._changes]
+
+    def _set_changes(self, changes: Any) -> None:
+        found: list[dict[str, Value]] = []
+        faults: list[Fault] = []
+        for k, change in enumerate(arguments.one_of("changes", changes, list, tuple), start=1):
+            one: dict[str, Value] = {}
+            for path, value, _ in _flat(arguments.mapping(f"changes[{k}]", change)):
+                alone = path == constants.path and isinstance(value, Mapping)  # of which a change sets each alone
+                values = {f"{path}.{name}": value[name] for name in value} if alone else {path: value}
+                one |= {key: schema.plain(single) for key, single in values.items()}
+            if "at" not in one:
+                faults.append(Fault(f"changes[{k}]", 'has no time; write it like at = "3 h"'))
+            elif len(one) == 1:
+                faults.append(Fault(f"changes[{k}].at", "nothing changes then; write below it a parameter with its "
+                                                        'new value, such as ecm.youngs_modulus = "100 Pa"'))
+            wrong = {path: schema.judge(f"changes.{path}", value)[0] for path, value in one.items()
+                     if not constants.name_in(path)}  # which the program judges
+            faults += [Fault(f"changes[{k}].{path}", fault) for path, fault in wrong.items() if fault]
+            found.append(one)
+        if faults:
+            raise ConfigurationError(faults)
+        self._changes = found
+
+    def _numbers_of_changes(self) -> list[dict[str, Value]]:
+        """The changes as numbers in the documented units, in the order of their times."""
+        def number(path: str, value: Value) -> Value:
+            if path == "at":
+                return schema.judge("changes.at", value)[1]
+            return value if constants.name_in(path) else _row(path).number(value)
+        numbers = [{path: number(path, value) for path, value in change.items()} for change in self._changes]
+        return sorted(numbers, key=lambda change: float(change["at"]))
+
     def __setitem__(self, path: str, value: Any) -> None:
-        if path == "cells":
-            self._set_cells(value)
+        if path in ("cells", "changes"):
+            setattr(self, path, value)
             return
         if name := constants.name_in(path):
             self.laws.constants[name] = value
@@ -203,10 +246,11 @@ class Scenario(Sections, Mapping[str, Value]):
         if name in classes:
             raise ConfigurationError(Fault(name, "is a section; set one of its parameters, such as "
                                                  f"{of(name)[0].path}"))
-        if name == "cells":
-            self._set_cells(value)
+        if name in ("cells", "changes"):
+            take = self._set_cells if name == "cells" else self._set_changes
+            take(value)
             return
-        if name not in ("name", "_given", "_cells"):
+        if name not in ("name", "_given", "_cells", "_changes"):
             raise unknown(name, is_section=True)
         object.__setattr__(self, name, value)
 
@@ -214,14 +258,16 @@ class Scenario(Sections, Mapping[str, Value]):
         return [*classes, *(n for n in super().__dir__() if n not in classes)]
 
     def __eq__(self, other: object) -> bool:
-        return isinstance(other, Scenario) and dict(self) == dict(other) and self.cells == other.cells
+        return (isinstance(other, Scenario) and dict(self) == dict(other) and self.cells == other.cells
+                and self._numbers_of_changes() == other._numbers_of_changes())
 
     __hash__ = None  # type: ignore[assignment] # it can change
 
     def __repr__(self) -> str:
         changed = ", ".join(f"{path}={schema.toml_text(value)}" for path, value in self.changed().items())
         cells = f"{len(self._cells)} cells" if self._cells else ""
-        return f"Scenario({self.name}: {', '.join(filter(None, (cells, changed))) or 'all defaults'})"
+        changes = f"{len(self._changes)} changes" if self._changes else ""
+        return f"Scenario({self.name}: {', '.join(filter(None, (cells, changed, changes))) or 'all defaults'})"
 
     def __copy__(self) -> Scenario:
         return self.copy()
@@ -240,6 +286,7 @@ class Scenario(Sections, Mapping[str, Value]):
         """A scenario of the same values, to be changed apart from this one."""
         made = Scenario(self._given, name=name or self.name)
         made._cells = [dict(cell) for cell in self._cells]
+        made._changes = self.changes
         return made
 
     def help(self, path: str) -> str:
@@ -270,6 +317,8 @@ class Scenario(Sections, Mapping[str, Value]):
                 text += f"# {p.meaning}; {p.allowed}\n{lines}"
         for cell in self._cells:
             text += f"\n[[cells]]\n{_lines(cell)}"
+        for change in self._changes:
+            text += f"\n[[changes]]\n{_lines(change)}"
         return text
 
     def save(self, file: str | os.PathLike[str], *, overwrite: bool = False) -> Path:

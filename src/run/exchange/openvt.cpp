@@ -1,6 +1,6 @@
 #include "exchange/openvt.hpp"
 
-#include "parameters/schema.hpp"
+#include "parameters/changes.hpp"
 #include "tables/table.hpp"
 
 #include <nlohmann/json.hpp>
@@ -25,6 +25,7 @@ Json settings_of(const Parameters& p) {
     if (differs(row, p, Parameters())) settings[std::string(row.path)] = bare(value_text(row, p));
   }
   if (!p.cells.empty()) settings["cells"] = cells_text(p);
+  if (!p.changes.empty()) settings["changes"] = changes_text(p);
   return settings;
 }
 

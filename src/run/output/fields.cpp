@@ -25,7 +25,7 @@ Output fields(RunSoFar& run, const State& start) {
   Output output{.interval = run.p.output.field_interval};
   output.write = [=, &run](const State& s, const Workspace& w) {
     if (!run.frame_times.empty() && run.frame_times.back() == s.t) return;
-    observe::Frame frame = observe::frame(s, run.p, w);
+    observe::Frame frame = observe::frame(s, run.now, w);
     store::follow(frame, shape); // a branch that has not begun yet has the fibres of its run
     log->add(frame);
     run.frame_times.push_back(s.t);

@@ -22,6 +22,7 @@ namespace matrigrate::run {
 struct RunSoFar {
   std::filesystem::path folder;
   Parameters p;
+  const Parameters& now; ///< of the last step
   store::RunMemory memory;
   std::filesystem::path frames_from; ///< the folder whose frames the run takes over
   std::vector<double> frame_times{}; ///< of the frames in the log, those that were lost left out [s]

@@ -41,7 +41,7 @@ Output rows(RunSoFar& run, const State& start) {
     trajectory.add(s);
     memory.trajectory = trajectory.value();
     if (group) {
-      memory.group.push_back(group_row(s, memory.rows, run.p));
+      memory.group.push_back(group_row(s, memory.rows, run.now));
       group->add(store::fields(memory.group.back()));
     }
     for (const TrackRow& row : track_rows(s)) {

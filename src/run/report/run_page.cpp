@@ -1,5 +1,6 @@
 #include "report/run_page.hpp"
 
+#include "parameters/changes.hpp"
 #include "parameters/laws/law.hpp"
 #include "parameters/schema.hpp"
 #include "report/film_json.hpp"
@@ -143,6 +144,12 @@ Json changed_parameters(const Parameters& p) {
   return list;
 }
 
+Json changes_json(const Parameters& p) {
+  Json list = Json::array();
+  for (const ChangeWords& change : words_of_changes(p)) list.push_back({{"t_s", change.at}, {"text", to_text(change)}});
+  return list;
+}
+
 std::string_view shown_unit(std::string_view unit) { return unit == "1" ? "" : unit; }
 
 /// Changed laws beside the default ones, over each argument that they depend on.
@@ -198,6 +205,7 @@ Json run_data(const RunReport& report) {
           {"readouts", readouts_json(report)},
           {"parameters", changed_parameters(report.p)},
           {"laws", laws_json(report.p)},
+          {"changes", changes_json(report.p)},
           {"health", health_json(report.health)},
           {"provenance", report.provenance},
           {"citation", citation()}};

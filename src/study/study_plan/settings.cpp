@@ -1,6 +1,7 @@
 #include "study_plan/settings.hpp"
 
 #include "parameters/assign.hpp"
+#include "parameters/changes.hpp"
 #include "parameters/gone.hpp"
 #include "parameters/laws/constants.hpp"
 #include "parameters/nearest.hpp"
@@ -33,8 +34,8 @@ void gather(const toml::table& table, const std::string& prefix, std::string_vie
       faults.add(place_of(name), shown,
                  path == "run.seed" ? "the seeds of the runs follow from the study's own `seed`"
                                     : "the runs of a study take one thread each, or what Slurm gives them");
-    else if (path == "cells")
-      faults.add(place_of(name), shown, "a study takes its cells from its scenario or preset");
+    else if (path == "cells" || path == "changes")
+      faults.add(place_of(name), shown, fmt::format("a study takes its {} from its scenario or preset", path));
     else if (node.is_table() && (is_section(path) || path == all_constants))
       gather(*node.as_table(), path, section, own, base, faults, found);
     else if (row != nullptr)
@@ -135,11 +136,21 @@ std::optional<Setting> assigned(const Row& row, const toml::node& node, Paramete
 
 void RuleCheck::check(const Parameters& p, const std::vector<std::pair<std::string, Place>>& places,
                       FaultList& faults) {
+  if (!check(p, "", places, faults)) return;
+  for (const Period& period : periods(p)) check(period.p, fmt::format("from {} on: ", period.when), places, faults);
+}
+
+bool RuleCheck::check(const Parameters& p, const std::string& when,
+                      const std::vector<std::pair<std::string, Place>>& places, FaultList& faults) {
   Judgement judgement;
-  for (const Rule& rule : rules())
-    blame(rule, judgement(rule, p, [&](const Rule& r) { return r.broken(p); }), places, faults);
-  for (const Rule& rule : m_more)
-    blame(rule, judgement(rule, p, [&](const Rule& r) { return found(r, p); }), places, faults);
+  bool good = true;
+  const auto tell = [&](const Rule& rule, const std::string& broken) {
+    if (!broken.empty()) blame(rule, when + broken, places, faults);
+    good = good && broken.empty();
+  };
+  for (const Rule& rule : rules()) tell(rule, judgement(rule, p, [&](const Rule& r) { return r.broken(p); }));
+  for (const Rule& rule : m_more) tell(rule, judgement(rule, p, [&](const Rule& r) { return found(r, p); }));
+  return good;
 }
 
 const std::string& RuleCheck::found(const Rule& rule, const Parameters& p) {
@@ -154,7 +165,6 @@ const std::string& RuleCheck::found(const Rule& rule, const Parameters& p) {
 
 void RuleCheck::blame(const Rule& rule, const std::string& broken,
                       const std::vector<std::pair<std::string, Place>>& places, FaultList& faults) {
-  if (broken.empty()) return;
   auto blamed = places.end();
   if (rule.is_of_first) blamed = std::ranges::find(places, rule.keys.front(), &std::pair<std::string, Place>::first);
   if (blamed == places.end())

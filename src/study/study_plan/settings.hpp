@@ -65,6 +65,9 @@ public:
 private:
   static constexpr std::size_t max_found = 1000;
 
+  /// @param when  in front of each fault   @return whether there is none
+  bool check(const Parameters& p, const std::string& when, const std::vector<std::pair<std::string, Place>>& places,
+             FaultList& faults);
   const std::string& found(const Rule& rule, const Parameters& p);
   static void blame(const Rule& rule, const std::string& broken,
                     const std::vector<std::pair<std::string, Place>>& places, FaultList& faults);

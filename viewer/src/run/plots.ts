@@ -1,6 +1,6 @@
 /** Small line plots of the run, with a cursor at the player's time; a click or a drag in one sets that time. */
 import { palette } from "../colour";
-import type { RunPage, Tracks } from "../contract";
+import type { RunPage, TimedChange, Tracks } from "../contract";
 import { h, isDark, s } from "../dom";
 import { measuredColour, measuredOf, until, type MeasuredTrack } from "../measured";
 import { readable, roundStep, ticks } from "../numbers";
@@ -96,6 +96,34 @@ export const line = (made: Frame, x: number[], y: (number | null)[]): string =>
     return at === null ? "" : `${i === 0 || y[i - 1] === null ? "M" : "L"}${made.x(v).toFixed(1)} ${made.y(at).toFixed(1)}`;
   }).join("");
 
+type Changes = TimedChange[] | undefined;
+
+/** The times of changes, each called "a", "b", ...  with what changes then. */
+const named = (changes: Changes): { t: number; name: string; words: string[] }[] =>
+  [...new Set((changes ?? []).map((change) => change.t_s))].map((t, k) => ({
+    t,
+    name: k < 26 ? String.fromCharCode(97 + k) : String(k + 1),
+    words: (changes ?? []).filter((change) => change.t_s === t).map((change) => change.text),
+  }));
+
+/** A line with its name at each time at which parameters change, from top to bottom. */
+export const changeMarks = (made: Frame, changes: Changes, top: number, bottom: number): SVGElement[] =>
+  named(changes).map(({ t, name, words }) =>
+    s(
+      "g",
+      { class: "change" },
+      s("title", {}, words.join("\n")),
+      s("path", { d: `M${made.x(t / 3600)} ${top}V${bottom}` }),
+      s("text", { x: made.x(t / 3600) + 4, y: bottom - 5 }, name),
+    ),
+  );
+
+/** What the names at these lines mean. */
+const changeWords = (changes: Changes): string => {
+  const all = named(changes).map(({ name, words }) => `${name}, ${words.join(", ")}`);
+  return all.length ? ` Lines mark changes of parameters: ${all.join("; ")}.` : "";
+};
+
 /** A quantity of a cell over time [s]. */
 interface Curve {
   t: number[];
@@ -114,6 +142,7 @@ function overTime(
   curves: Curve[],
   label: string,
   fromZero: boolean,
+  changes: Changes,
   gone: AbortSignal,
 ): SVGSVGElement {
   const all = curves.flatMap((curve) => curve.values);
@@ -138,7 +167,7 @@ function overTime(
         ...(curve.name ? [s("title", {}, curve.name)] : []),
       ),
     );
-  made.svg.append(cursor, ...dots, words);
+  made.svg.append(...changeMarks(made, changes, margin.top, 210 - margin.bottom), cursor, ...dots, words);
   const update = () => {
     const at = made.x(clock.time / 3600);
     cursor.setAttribute("d", `M${at} ${margin.top}V${210 - margin.bottom}`);
@@ -248,8 +277,13 @@ export const colour = (number: number, cells: number): string | undefined =>
   cells > 1 ? coloursOf(number, cells)[isDark() ? "front" : "rear"] : undefined;
 
 /** @param gone  when these plots are taken away */
-export function plots(run: Pick<RunPage, "tracks" | "measured">, clock: Clock, width: number, gone: AbortSignal): HTMLElement {
-  const { tracks } = run;
+export function plots(
+  run: Pick<RunPage, "tracks" | "measured" | "changes">,
+  clock: Clock,
+  width: number,
+  gone: AbortSignal,
+): HTMLElement {
+  const { tracks, changes } = run;
   if (tracks.t_s.length < 2) return h("p", {}, "The run is too short for a path.");
   const cells = tracksOfCells(tracks);
   const [x0, y0] = startOf(tracks);
@@ -277,11 +311,11 @@ export function plots(run: Pick<RunPage, "tracks" | "measured">, clock: Clock, w
       "div",
       {},
       figure(
-        overTime(clock, column, curves(speeds), "speed (\u00b5m/h)", true, gone),
-        "Speed: displacement over ten minutes.",
+        overTime(clock, column, curves(speeds), "speed (\u00b5m/h)", true, changes, gone),
+        `Speed: displacement over ten minutes.${changeWords(changes)}`,
       ),
       figure(
-        overTime(clock, column, curves((own) => ({ t: own.t_s, v: own.area_um2 })), "area (\u00b5m\u00b2)", false, gone),
+        overTime(clock, column, curves((own) => ({ t: own.t_s, v: own.area_um2 })), "area (\u00b5m\u00b2)", false, changes, gone),
         "Area inside the cortex.",
       ),
     ),

@@ -1,10 +1,10 @@
 /** The life of each protrusion, one row each: its phases over time, how mature it got, and how it ended. */
-import { phaseNames, type ProtrusionRow } from "../contract";
+import { phaseNames, type ProtrusionRow, type TimedChange } from "../contract";
 import { h, s, table } from "../dom";
 import { readable, timeText } from "../numbers";
 import { coloursOf } from "./cells";
 import type { Clock } from "./clock";
-import { frame, hours, onPick } from "./plots";
+import { changeMarks, frame, hours, onPick } from "./plots";
 
 interface Bar {
   phase: number;
@@ -56,7 +56,13 @@ function remark(row: ProtrusionRow, wide: boolean): string {
 const rowName = (row: ProtrusionRow): string => (row.cell === undefined ? String(row.id) : `${row.cell}/${row.id}`);
 
 /** @param gone  when this timeline is taken away */
-export function timeline(rows: ProtrusionRow[], clock: Clock, width: number, gone: AbortSignal): HTMLElement {
+export function timeline(
+  rows: ProtrusionRow[],
+  clock: Clock,
+  width: number,
+  gone: AbortSignal,
+  changes?: TimedChange[],
+): HTMLElement {
   if (rows.length === 0) return h("p", {}, "No protrusion was initiated.");
   const [pitch, top, bottom] = [22, 22, 40];
   const height = top + bottom + pitch * rows.length;
@@ -114,7 +120,7 @@ export function timeline(rows: ProtrusionRow[], clock: Clock, width: number, gon
   // Above the numbers: turned by a quarter it would be cut off where there are few rows.
   made.svg.append(s("text", { x: 2, y: 13 }, rows[0].cell === undefined ? "protrusion" : "cell/protrusion"));
   const cursor = s("path", { class: "cursor" });
-  made.svg.append(cursor, remarks);
+  made.svg.append(...changeMarks(made, changes, top, height - bottom), cursor, remarks);
   let drawn = "";
   const update = () => {
     const d = `M${made.x(clock.time / 3600).toFixed(1)} ${top}V${height - bottom}`;

@@ -81,7 +81,7 @@ export function runView(run: RunPage, alone: boolean, company?: Company): RunVie
     section(
       id("protrusions"),
       "Protrusions",
-      fitted((width, replaced) => timeline(run.protrusions, clock, width, replaced), gone.signal),
+      fitted((width, replaced) => timeline(run.protrusions, clock, width, replaced, run.changes), gone.signal),
       h("details", {}, h("summary", {}, "All numbers of the protrusions"), protrusionTable(run.protrusions)),
     ),
   ];
