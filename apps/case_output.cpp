@@ -152,7 +152,7 @@ std::vector<Outcome> run_cases(const std::vector<const validation::Case*>& cases
                                const Parameters& p, const std::filesystem::path& folder,
                                const std::function<void(const Outcome&)>& shown) {
   write_file(folder / "scenario.resolved.toml", to_toml(p));
-  const ThreadLimit limit(p.run.threads);
+  const ThreadLimit limit(std::max(1, p.run.threads));
   std::vector<Outcome> outcomes;
   report::VerdictReport report{.title = fmt::format("Validation of the matrix: {}", name),
                                .statements = {},

@@ -78,7 +78,7 @@ void add_resume(CLI::App& app, Action& chosen, std::vector<std::string> command_
       ->allow_extra_args(false);
   verb->add_option("--seed", options->parameters.seed, "Branch with another seed: run.seed");
   verb->add_option("--hours", options->parameters.hours, "Branch with another end: run.duration");
-  add_threads(*verb, options->parameters, "Threads, 0 for all; never changes a result");
+  add_threads(*verb, options->parameters, "Threads, 0 for as many as pay; never changes a result");
   verb->add_option("--wall-time", options->wall_time, "Stop with a checkpoint after this time of the clock: \"2 h\"");
   verb->add_flag("--previous", options->previous, "Go on, or branch, from checkpoint_prev.h5");
   verb->add_flag("--json", options->json, "Print the outcome as one JSON object");

@@ -108,7 +108,7 @@ void add_run(CLI::App& app, Action& chosen, std::vector<std::string> command_lin
                    "Folder for the results (default: <scenario>-seed<N>, and what --set changes)");
   verb->add_option("--seed", options->parameters.seed, "Seed of the random numbers: run.seed");
   verb->add_option("--hours", options->parameters.hours, "Simulated time in hours, or as \"30 min\": run.duration");
-  add_threads(*verb, options->parameters, "Threads, 0 for all: run.threads; never changes a result");
+  add_threads(*verb, options->parameters, "Threads, 0 for as many as pay: run.threads; never changes a result");
   verb->add_option("--set", options->parameters.overrides, "key=value, over the file; may be repeated")
       ->allow_extra_args(false);
   verb->add_option("--wall-time", options->wall_time, "Stop with a checkpoint after this time of the clock: \"2 h\"");

@@ -211,7 +211,7 @@ void add_sample(CLI::App& app, Action& chosen, std::vector<std::string> command_
   verb->add_option("--targets", options->targets, "Measured read-outs, from which the distance is computed");
   verb->add_option("--seed", options->parameters.seed, "Seed of the random numbers: run.seed");
   verb->add_option("--hours", options->parameters.hours, "Simulated time in hours, or as \"30 min\": run.duration");
-  add_threads(*verb, options->parameters, "Threads, 0 for all: run.threads; never changes a result");
+  add_threads(*verb, options->parameters, "Threads, 0 for as many as pay: run.threads; never changes a result");
   verb->callback([options, &chosen] { chosen = [options] { return sample(*options); }; });
 }
 

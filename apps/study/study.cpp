@@ -20,7 +20,8 @@ void add_file(CLI::App& verb, StudyOptions& options) {
 }
 
 void add_jobs(CLI::App& verb, StudyOptions& options) {
-  verb.add_option("--jobs", options.jobs, "Runs at a time, one thread each (default: the number of cores)")
+  verb.add_option("--jobs", options.jobs,
+                  "Runs at a time, one thread each, or more where they are fewer (default: the number of cores)")
       ->check(CLI::Range(1, 4096));
 }
 

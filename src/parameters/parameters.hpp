@@ -31,7 +31,7 @@ struct RunParameters {
   Integrator integrator = Integrator::reference;
   double time_step = usual_time_step(Integrator::reference); ///< of the adaptive integrator the longest one [s]
   std::uint64_t seed = 1;
-  int threads = 1; ///< 0: as many as the machine has; never changes a result
+  int threads = 0; ///< 0: as many as pay; never changes a result
 };
 
 /// Fields of the matrix over the plane, as texts of formulas or files (fields/field.hpp); empty: the same everywhere.

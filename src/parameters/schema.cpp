@@ -48,7 +48,7 @@ constexpr std::array rows{
     Row{"run.seed", [](Parameters& p) -> std::uint64_t& { return p.run.seed; }, "1", closed(0, max_seeds),
         "", chosen, "Seed of the random numbers: the same seed gives the same bits"},
     Row{"run.threads", [](Parameters& p) -> int& { return p.run.threads; }, "1", closed(0, 1024),
-        "", chosen, "Number of threads; 0: as many as the machine has; results do not depend on it"},
+        "", chosen, "Number of threads; 0: as many as pay for this many particles, on idle cores; results do not depend on it"},
 
     Row{"ecm.youngs_modulus", [](Parameters& p) -> double& { return p.ecm.youngs_modulus; }, "Pa", above(0, 1e7),
         "E", table_1, "Young's modulus of the intact matrix"},

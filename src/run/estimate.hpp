@@ -21,6 +21,12 @@ struct RunCost {
 /// Particles of the matrix.
 std::size_t particle_count(const Parameters& p);
 
+/// As many threads as pay for so many particles of the matrix.
+int threads_that_pay(std::size_t particles);
+
+/// run.threads, or where it is 0 as many as pay, on idle cores.
+int threads_of(const Parameters& p, std::size_t particles);
+
 /// @param particles  particle_count(p)
 RunCost run_cost(const Parameters& p, std::size_t particles);
 

@@ -5,6 +5,7 @@
 #include "base/platform.hpp"
 #include "base/text.hpp"
 #include "parameters/closures.hpp"
+#include "run/estimate.hpp"
 #include "run/run_folder.hpp"
 #include "simulation/march.hpp"
 #include "simulation/simulation.hpp"
@@ -236,7 +237,7 @@ private:
 } // namespace
 
 RunOutcome run(RunStart start, const RunOptions& options, RunObserver& observer) {
-  const ThreadLimit limit(start.p.run.threads);
+  const ThreadLimit limit(threads_of(start.p, start.s.ecm.size()));
   observer.begin();
   if (const std::string note = closures_note(closures_of(start.p)); !note.empty()) observer.warn(note);
   return Computation(std::move(start), options, observer).compute();

@@ -4,6 +4,7 @@
 #include "base/file.hpp"
 #include "base/platform.hpp"
 #include "base/process.hpp"
+#include "run/estimate.hpp"
 #include "run/stopped_run.hpp"
 
 #include <fmt/format.h>
@@ -75,6 +76,7 @@ public:
 
   PoolOutcome compute(const std::vector<std::size_t>& runs) {
     const std::vector<std::size_t> open = sorted_out(runs);
+    if (!open.empty()) m_threads = threads_of_each(open.size());
     const Watch watch(m_observer, open.size(), m_options.jobs);
     std::size_t next = 0;
     while (!m_running.empty() || (next < open.size() && !stopping())) {
@@ -117,11 +119,18 @@ private:
     return open;
   }
 
+  /// Of each process: more than one where there are fewer runs than jobs, as far as that pays.
+  int threads_of_each(std::size_t open) const {
+    const auto shared = static_cast<int>(static_cast<std::size_t>(std::max(1, m_options.jobs)) / open);
+    return std::max(m_options.threads,
+                    std::min(shared, run::threads_that_pay(run::particle_count(m_study.study.base))));
+  }
+
   void start(std::size_t i) {
     const Run& run = m_study.runs[i];
     const Log log(run_log(m_study.folder, run));
     if (!log.mine()) return note(i, RunState::running, "is being computed by another process");
-    m_running.push_back({i, Child(run_command(m_study, run, m_options.threads), log.descriptor())});
+    m_running.push_back({i, Child(run_command(m_study, run, m_threads), log.descriptor())});
   }
 
   void see_end(const Running& running, int code) {
@@ -159,6 +168,7 @@ private:
   PoolObserver& m_observer;
   PoolOutcome m_outcome;
   std::size_t m_failed_now = 0;
+  int m_threads = 1;
   std::list<Running> m_running;
 };
 

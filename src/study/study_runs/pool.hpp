@@ -11,7 +11,7 @@ namespace matrigrate::study {
 /// How the runs of a study are computed: as many processes of this program at a time as `jobs`, each with one run.
 struct PoolOptions {
   int jobs = 1;
-  int threads = 1;           ///< of each process
+  int threads = 1;           ///< of each process; more where there are fewer runs than jobs
   bool retry_failed = false; ///< also those that failed numerically before
 };
 
