@@ -49,14 +49,8 @@ void neighbours(benchmark::State& state) {
 
 void assembly(benchmark::State& state) {
   Pulled a(static_cast<double>(state.range(0)));
-  for (auto _ : state) assemble_drag(a.s, a.p, a.p.run.time_step, *a.w);
-  count(state, a);
-}
-
-void forces(benchmark::State& state) {
-  Pulled a(static_cast<double>(state.range(0)));
   for (auto _ : state) {
-    assemble_forces(a.s, a.p, a.p.run.time_step, *a.w, a.load);
+    assemble(a.s, a.p, a.p.run.time_step, *a.w, a.load);
     benchmark::ClobberMemory();
   }
   count(state, a);
@@ -64,9 +58,7 @@ void forces(benchmark::State& state) {
 
 void solve(benchmark::State& state) {
   Pulled a(static_cast<double>(state.range(0)));
-  update_neighbours(a.s, *a.w);
-  assemble_drag(a.s, a.p, a.p.run.time_step, *a.w);
-  assemble_forces(a.s, a.p, a.p.run.time_step, *a.w, a.load);
+  assemble(a.s, a.p, a.p.run.time_step, *a.w, a.load);
   int iterations = 0;
   for (auto _ : state) {
     std::vector<Vec2> v = a.s.ecm.v; // warm start from the step before
@@ -92,7 +84,6 @@ void whole_step(benchmark::State& state) {
 
 BENCHMARK(neighbours)->Arg(150)->Unit(benchmark::kMillisecond);
 BENCHMARK(assembly)->Arg(150)->Unit(benchmark::kMillisecond);
-BENCHMARK(forces)->Arg(150)->Unit(benchmark::kMillisecond);
 BENCHMARK(solve)->Arg(150)->Unit(benchmark::kMillisecond);
 BENCHMARK(stress)->Arg(150)->Unit(benchmark::kMillisecond);
 BENCHMARK(whole_step)->Arg(72)->Arg(150)->Arg(300)->Arg(600)->Unit(benchmark::kMillisecond)->Iterations(40);

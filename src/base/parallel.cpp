@@ -4,7 +4,17 @@
 #include <tbb/global_control.h>
 #include <tbb/info.h>
 #include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+#include <tbb/task_scheduler_observer.h>
 #include <tbb/version.h>
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <cmath>
+#include <cstdlib>
 
 // Of ThreadSanitizer; null where the program is built without it.
 extern "C" {
@@ -39,12 +49,40 @@ private:
   char m_before = 0, m_after = 0; // their addresses identify the two synchronisations
 };
 
+std::atomic<unsigned> loops_begun{0};
+
+/// Lets threads wait for the next loop for a while before they sleep: to wake one takes longer than most loops.
+class Awake : public tbb::task_scheduler_observer {
+public:
+  Awake() { observe(true); }
+  Awake(const Awake&) = delete;
+  Awake& operator=(const Awake&) = delete;
+  ~Awake() override { observe(false); }
+
+  void on_scheduler_exit(bool is_worker) override {
+    if (!is_worker) return;
+    constexpr auto longest = std::chrono::microseconds(500);
+    const unsigned before = loops_begun.load(std::memory_order_relaxed);
+    const auto end = std::chrono::steady_clock::now() + longest;
+    while (loops_begun.load(std::memory_order_relaxed) == before && std::chrono::steady_clock::now() < end) {
+    }
+  }
+};
+
 } // namespace
 
 int hardware_threads() { return tbb::info::default_concurrency(); }
 
+int idle_threads() {
+  double load = 0.0;
+  if (getloadavg(&load, 1) != 1) return hardware_threads();
+  const double idle = 1.0 - load / static_cast<double>(std::max(1L, sysconf(_SC_NPROCESSORS_ONLN)));
+  return std::max(1, static_cast<int>(std::lround(idle * hardware_threads())));
+}
+
 struct ThreadLimit::Limit {
   tbb::global_control control;
+  Awake awake{};
 };
 
 ThreadLimit::ThreadLimit(int threads)
@@ -59,11 +97,35 @@ bool alone() { return tbb::global_control::active_value(tbb::global_control::max
 
 void parallel_ranges(std::size_t n, std::size_t grain, const std::function<void(std::size_t, std::size_t)>& body) {
   const LoopOrder order;
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, n, grain), [&](const auto& range) {
-    order.enter();
-    body(range.begin(), range.end());
-    order.leave();
-  });
+  loops_begun.fetch_add(1, std::memory_order_relaxed);
+  const auto loop = [&] {
+    tbb::parallel_for(
+        tbb::blocked_range<std::size_t>(0, n, grain),
+        [&](const auto& range) {
+          order.enter();
+          body(range.begin(), range.end());
+          order.leave();
+        },
+        tbb::static_partitioner());
+  };
+  tbb::this_task_arena::isolate(loop); // who waits for the rest of a loop begins no other work beside it
+}
+
+void side_by_side(std::initializer_list<std::function<void()>> works) {
+  if (alone()) {
+    for (const auto& work : works) work();
+    return;
+  }
+  const LoopOrder order;
+  loops_begun.fetch_add(1, std::memory_order_relaxed);
+  tbb::parallel_for(
+      tbb::blocked_range<std::size_t>(0, works.size()),
+      [&](const auto& range) {
+        order.enter();
+        for (std::size_t k = range.begin(); k < range.end(); ++k) works.begin()[k]();
+        order.leave();
+      },
+      tbb::simple_partitioner());
 }
 
 } // namespace matrigrate

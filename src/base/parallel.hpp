@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <initializer_list>
 #include <memory>
 #include <span>
 #include <string>
@@ -35,6 +36,10 @@ void parallel_parts(std::size_t n, const Body& body) {
     for (std::size_t k = begin; k < end; ++k) body(k);
   });
 }
+
+/// Calls all, in any order, side by side. None may write what another reads or writes.
+/// Test: tests/unit/base/base_test.cpp
+void side_by_side(std::initializer_list<std::function<void()>> works);
 
 /// Calls body(i) for every i in [0, n), in any order.
 /// @param grain  approximate minimum number of indices per task
@@ -81,6 +86,9 @@ void each_unflagged_stretch(std::span<const std::uint8_t> flags, const Body& bod
 
 /// The number of threads that this process may use.
 int hardware_threads();
+
+/// As many of them as there are cores without work, by the load of the last minute; at least 1.
+int idle_threads();
 
 /// Limits parallel loops to a number of threads while it lives. Of several limits the lowest counts.
 class ThreadLimit {

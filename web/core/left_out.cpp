@@ -9,6 +9,12 @@ namespace matrigrate {
 
 bool alone() { return true; }
 
+int idle_threads() { return 1; }
+
+void side_by_side(std::initializer_list<std::function<void()>> works) {
+  for (const auto& work : works) work();
+}
+
 void parallel_ranges(std::size_t n, std::size_t /*grain*/, const std::function<void(std::size_t, std::size_t)>& body) {
   if (n > 0) body(0, n);
 }

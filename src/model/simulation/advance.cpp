@@ -27,14 +27,8 @@ double time_after(double t, double dt) {
 
 std::optional<StepTooLong> advance(State& s, const Parameters& p, double dt, Workspace& w, const Loads& loads,
                                    const StepBounds& bounds) {
-  // neighbours, and shapes of the cells, at x(t)
-  update_neighbours(s, w);
-  w.reference.update(s.ecm);
-  describe_cells(s, p, w);
-
-  // momentum balances, Eqs. 1 and 2: A v = F
-  assemble_drag(s, p, dt, w);
-  assemble_forces(s, p, dt, w, loads);
+  // momentum balances at x(t), Eqs. 1 and 2: A v = F
+  assemble(s, p, dt, w, loads);
   if (auto refused = solve_velocities(s, p, dt, w, bounds)) return refused;
 
   // positions, density, stress

@@ -79,14 +79,10 @@ void assemble_nucleus_forces(const State& s, std::size_t k, const Parameters& p,
   add_centring(cell, p.nucleus, dt, cortex, nucleus, w.force, w.drag);
 }
 
-} // namespace
-
-void update_neighbours(const State& s, Workspace& w) {
-  if (!w.neighbours.update(s.ecm.x, s.ecm.period_x).empty()) ++w.health.list_builds;
-}
-
-void describe_cells(const State& s, const Parameters& p, Workspace& w) {
+/// Computes shape, protrusions and surroundings of each cell at x(t), and what resists it there: the links of A.
+void assemble_surroundings(const State& s, const Parameters& p, double dt, Workspace& w) {
   const double reach = 2.0 * p.ecm.smoothing_length;
+  w.drag.links.clear();
   w.cells.resize(s.cells.size());
   for (std::size_t k = 0; k < s.cells.size(); ++k) {
     const Cell& cell = s.cells[k];
@@ -96,31 +92,39 @@ void describe_cells(const State& s, const Parameters& p, Workspace& w) {
     shape.nearby = nearby_solid(s.ecm, cell.cortex, SegmentGrid(cell.cortex, reach), reach);
     shape.anchor_weights = anchor_weights(cell, s.ecm, p);
     shape.places = places_of_forces(cell, s.ecm, p, s.t, w.laws);
+    const CortexState c = after_a_quarter_step(cell.cortex, p, dt);
+    add_viscous_contact(s.ecm, c, shape.membership.soft, p, SegmentGrid(c, reach), first_node(s, k), w.drag);
   }
   w.touches = cell_touches(s.cells, cell_reach(p.contact.cells));
 }
 
+/// What needs the neighbours at x(t): the left side of Eq. (2), with the drag of cells in the liquid, and the pressure
+/// of the fluid.
 void assemble_drag(const State& s, const Parameters& p, double dt, Workspace& w) {
-  w.drag.links.clear();
-  w.drag.directed.clear();
-  w.theta = relaxation_theta(p, dt, w.limits);
+  if (!w.neighbours.update(s.ecm.x, s.ecm.period_x).empty()) ++w.health.list_builds;
   w.drag_cache.assemble(s.ecm, p.ecm, w.neighbours, s.solver_memory.x_drag, drag_lag(p, dt), w.theta, w.drag);
   w.drag.diagonal.resize(node_count(s), of_step(w) * p.cell.liquid_drag * p.ecm.thickness);
   w.drag.F.resize(node_count(s), Vec2::Zero());
-  for (std::size_t k = 0; k < s.cells.size(); ++k) {
-    const CortexState c = after_a_quarter_step(s.cells[k].cortex, p, dt);
-    add_viscous_contact(s.ecm, c, w.cells[k].membership.soft, p, SegmentGrid(c, 2.0 * p.ecm.smoothing_length),
-                        first_node(s, k), w.drag);
-  }
+  find_fluid_pressures(s.ecm, p.ecm, w.neighbours.pairs(), w.fluid_pressure);
 }
 
-void assemble_forces(const State& s, const Parameters& p, double dt, Workspace& w, const Loads& loads) {
-  const Adjacency& pairs = w.neighbours.pairs();
-  w.force.assign(w.drag.size(), Vec2::Zero());
-  w.outer_force = Vec2::Zero();
+/// Right side of Eq. (2) without cells and fibres, but for what the fluid's pressure does.
+void assemble_stress(const State& s, const Parameters& p, Workspace& w) {
+  w.reference.update(s.ecm);
+  w.force.assign(node_count(s), Vec2::Zero());
   add_elastic_forces(s.ecm, p.ecm, w.reference, w.solid, w.force);
+}
+
+} // namespace
+
+void assemble(const State& s, const Parameters& p, double dt, Workspace& w, const Loads& loads) {
+  w.drag.directed.clear();
+  w.theta = relaxation_theta(p, dt, w.limits);
+  side_by_side({[&] { assemble_drag(s, p, dt, w); }, [&] { assemble_surroundings(s, p, dt, w); },
+                [&] { assemble_stress(s, p, w); }});
+  w.outer_force = Vec2::Zero();
   add_fibre_forces(s.ecm, p.ecm, p.fibres, w.fibres, of_step(w) * dt, w.force, w.drag);
-  add_fluid_forces(s.ecm, p.ecm, pairs, w.fluid_pressure, w.force);
+  add_fluid_forces(s.ecm, p.ecm, w.neighbours.pairs(), w.fluid_pressure, w.force);
   for (std::size_t k = 0; k < s.cells.size(); ++k) assemble_cell_forces(s, k, p, dt, w);
   for (std::size_t k = 0; k < s.cells.size(); ++k) assemble_nucleus_forces(s, k, p, dt, w);
   add_cell_contact(s, w.touches, p, dt, w.force, w.drag);

@@ -101,9 +101,11 @@ std::optional<StepTooLong> crossing(const State& s, double dt, std::span<const V
 /// Makes v the velocities of matrix and cells.
 void accept(State& s, Workspace& w) {
   SolverMemory& memory = s.solver_memory;
-  memory.x_drag = w.drag_cache.x_drag();
-  node_velocities(s, memory.v_before);
-  set_node_velocities(s, w.v);
+  side_by_side({[&] { memory.x_drag = w.drag_cache.x_drag(); },
+                [&] {
+                  node_velocities(s, memory.v_before);
+                  set_node_velocities(s, w.v);
+                }});
 }
 
 } // namespace

@@ -245,11 +245,15 @@ void Elimination::lump(const DragSystem& A, LumpedLinks& links) const {
   links.close();
 }
 
-void Elimination::add_product(float factor, const Field& x, Field& y) {
+void Elimination::multiply(const Field& x) {
   if (m_linked.empty() && m_mixed.size() == 0) return;
   m_t.setZero();
   gather([&x](std::uint32_t k) { return Vec2(x.x()[k], x.y()[k]); });
   if (m_cell_dofs > 0) solve_cell();
+}
+
+void Elimination::add_product(float factor, Field& y) {
+  if (m_linked.empty() && m_mixed.size() == 0) return;
   scatter([&y, factor](std::uint32_t k, const Vec2& a) {
     y.x()[k] += factor * static_cast<float>(a.x());
     y.y()[k] += factor * static_cast<float>(a.y());

@@ -31,8 +31,11 @@ public:
   /// The links as seen by smooth fields, for the coarse grids.
   void lump(const DragSystem& A, LumpedLinks& links) const;
 
-  /// y += factor (S - D + G) x, with D from diagonals().
-  void add_product(float factor, const Field& x, Field& y);
+  /// Computes (S - D + G) x, with D from diagonals(), up to what add_product() does.
+  void multiply(const Field& x);
+
+  /// y += factor times the product of multiply().
+  void add_product(float factor, Field& y);
 
   /// Reduces a right-hand side r of A to that of S, in its matrix part: r_m := r_m - A_mc A_cc^-1 r_c.
   void reduce(NodeVectors& r);

@@ -25,17 +25,20 @@ double norm(const NodeVectors& a) {
 
 SolveReport Multigrid::solve(const DragSystem& A, std::span<Vec2> v) {
   SolveReport report;
-  split(A.F, A.pairs.size(), m_F);
-  const double F = norm(m_F);
+  double F = 0.0, r = 0.0;
+  side_by_side({[&] { prepare(A); },
+                [&] {
+                  split(A.F, A.pairs.size(), m_F);
+                  F = norm(m_F);
+                  split(v, A.pairs.size(), m_v);
+                  r = residual(A);
+                }});
   if (F == 0.0) { // nothing moves
     std::fill(v.begin(), v.end(), Vec2::Zero());
     report.converged = true;
     return report;
   }
-  split(v, A.pairs.size(), m_v);
   const double goal = m_tolerance * F;
-  double r = residual(A);
-  if (r > goal) prepare(A);
   int idle = 0;
   while (r > goal && report.iterations < m_max_iterations && idle < max_idle) {
     const double reduction = std::max(margin * goal / r, least_reduction);
@@ -59,10 +62,10 @@ void Multigrid::prepare(const DragSystem& A) {
   const std::size_t n = A.pairs.size();
   m_elimination.factorise(A);
   m_pairs = &A.pairs;
-  m_coarse.take_links(A, m_elimination);
   if (m_x.size() != n)
     for (Field* field : {&m_diagonal, &m_smoother, &m_x, &m_r, &m_z, &m_p, &m_q}) field->resize(n);
-  m_elimination.diagonals(A, m_diagonal, m_smoother);
+  side_by_side(
+      {[&] { m_coarse.take_links(A, m_elimination); }, [&] { m_elimination.diagonals(A, m_diagonal, m_smoother); }});
 }
 
 /// Adds to v a correction that takes the residual, r in all, down to `reduction` of itself, up to rounding.
@@ -97,14 +100,14 @@ double Multigrid::correct(double r, double reduction, SolveReport& report) {
 
 /// y = S x.
 void Multigrid::multiply(const Field& x, Field& y) {
-  m_pairs->multiply(m_diagonal, x, y);
-  m_elimination.add_product(1.0F, x, y);
+  side_by_side({[&] { m_elimination.multiply(x); }, [&] { m_pairs->multiply(m_diagonal, x, y); }});
+  m_elimination.add_product(1.0F, y);
 }
 
 /// y = r - S x.
 void Multigrid::residual_after(const Field& x, Field& y) {
-  m_pairs->residual(m_diagonal, m_r, x, y);
-  m_elimination.add_product(-1.0F, x, y);
+  side_by_side({[&] { m_elimination.multiply(x); }, [&] { m_pairs->residual(m_diagonal, m_r, x, y); }});
+  m_elimination.add_product(-1.0F, y);
 }
 
 /// z = M^-1 r: smoothed before and after the correction on the grids. Uses q.   @return r . z

@@ -276,6 +276,24 @@ TEST(Parallel, LoopUsesSeveralThreads) {
   EXPECT_TRUE(second);
 }
 
+TEST(Parallel, WorkSideBySideIsDoneOnce) {
+  for (const int threads : {1, 2, 5}) {
+    const ThreadLimit limit(threads);
+    std::vector<int> first(3 * parallel_block), second(2 * parallel_block);
+    int third = 0;
+    side_by_side({[&] { parallel_for(first.size(), [&](std::size_t i) { ++first[i]; }); },
+                  [&] { parallel_for(second.size(), [&](std::size_t i) { ++second[i]; }); }, [&] { ++third; }});
+    EXPECT_EQ(std::ranges::count(first, 1), std::ssize(first));
+    EXPECT_EQ(std::ranges::count(second, 1), std::ssize(second));
+    EXPECT_EQ(third, 1);
+  }
+}
+
+TEST(Parallel, AFailureBesideOtherWorkReachesTheCaller) {
+  const ThreadLimit limit(2);
+  EXPECT_THROW(side_by_side({[] { throw std::runtime_error("no"); }, [] {}}), std::runtime_error);
+}
+
 TEST(Parallel, AFailureInALoopReachesTheCaller) {
   const auto body = [](std::size_t i) {
     if (i == 3'000) throw std::runtime_error("3000");

@@ -74,8 +74,8 @@ double fluid_pressure(const EcmState& ecm, const EcmParameters& p, const Adjacen
   return fluid_pressure(ecm.f[i], ecm.V0 * sum / rho_lattice, moduli(p).K * ecm.stiffness(i));
 }
 
-void add_fluid_forces(const EcmState& ecm, const EcmParameters& p, const Adjacency& pairs,
-                      std::vector<double>& pressure, std::span<Vec2> force) {
+void find_fluid_pressures(const EcmState& ecm, const EcmParameters& p, const Adjacency& pairs,
+                          std::vector<double>& pressure) {
   const Kernel kernel(p.smoothing_length);
   const double rho_lattice = lattice_density(p);
   std::vector<std::uint32_t> fluid;
@@ -86,9 +86,14 @@ void add_fluid_forces(const EcmState& ecm, const EcmParameters& p, const Adjacen
   parallel_for(
       fluid.size(),
       [&](std::size_t k) { pressure[fluid[k]] = fluid_pressure(ecm, p, pairs, kernel, rho_lattice, fluid[k]); }, grain);
+}
+
+void add_fluid_forces(const EcmState& ecm, const EcmParameters& p, const Adjacency& pairs,
+                      std::span<const double> pressure, std::span<Vec2> force) {
+  const Kernel kernel(p.smoothing_length);
   const double scale = p.thickness * ecm.V0 * ecm.V0;
-  for (const std::uint32_t i : fluid) { // those under pressure repel their neighbours
-    if (pressure[i] == 0.0) continue;
+  for (std::size_t i = 0; i < ecm.size(); ++i) { // those under pressure repel their neighbours
+    if (ecm.f[i] >= 1.0 || pressure[i] == 0.0) continue;
     each_near(ecm, pairs, kernel.support(), i, [&](Near& near) {
       evaluate_slopes(kernel, scale * pressure[i], near);
       Vec2 own = force[i];

@@ -19,9 +19,13 @@ double lattice_density(const EcmParameters& p);
 double fluid_pressure(const EcmState& ecm, const EcmParameters& p, const Adjacency& pairs, const Kernel& kernel,
                       double rho_lattice, std::size_t i);
 
+/// Sets the pressures of the particles with f < 1 [kPa].
+void find_fluid_pressures(const EcmState& ecm, const EcmParameters& p, const Adjacency& pairs,
+                          std::vector<double>& pressure);
+
 /// Adds -t_z V_0^2 sum_j (p_i + p_j) grad_i W_ij to the forces [nN].
-/// @param pressure  workspace: pressures of the particles with f < 1 [kPa], computed here
+/// @param pressure  of find_fluid_pressures() [kPa]
 void add_fluid_forces(const EcmState& ecm, const EcmParameters& p, const Adjacency& pairs,
-                      std::vector<double>& pressure, std::span<Vec2> force);
+                      std::span<const double> pressure, std::span<Vec2> force);
 
 } // namespace matrigrate

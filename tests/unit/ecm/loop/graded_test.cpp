@@ -133,6 +133,7 @@ TEST(GradedForces, OfTheFluidTakeTheModulusOfTheParticle) {
   const auto fluid = [&](const EcmParameters& q) {
     std::vector<Vec2> force(ecm.size(), Vec2::Zero());
     std::vector<double> pressures;
+    find_fluid_pressures(ecm, q, pairs, pressures);
     add_fluid_forces(ecm, q, pairs, pressures, force);
     return force;
   };

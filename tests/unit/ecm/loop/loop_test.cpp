@@ -85,6 +85,7 @@ TEST(FluidForces, PushApartAndKeepMomentum) {
   const Adjacency pairs = neighbours_within(ecm.x, 5.2, 0.0);
   std::vector<double> pressure;
   std::vector<Vec2> force(ecm.size(), Vec2::Zero());
+  find_fluid_pressures(ecm, p, pairs, pressure);
   add_fluid_forces(ecm, p, pairs, pressure, force);
   Vec2 sum = Vec2::Zero();
   double torque = 0.0, outwards = 0.0;
@@ -108,6 +109,7 @@ TEST(FluidForces, PushAWallOfSolidWithHalfTheirPressure) { // the solid has no p
   const Adjacency pairs = neighbours_within(ecm.x, 5.2, ecm.period_x);
   std::vector<double> pressure;
   std::vector<Vec2> force(ecm.size(), Vec2::Zero());
+  find_fluid_pressures(ecm, p, pairs, pressure);
   add_fluid_forces(ecm, p, pairs, pressure, force);
   double on_wall = 0.0;
   double deep = 0.0; // pressure of the fluid away from the wall
