@@ -7,23 +7,23 @@ import subprocess
 import sys
 
 budget = {
-    "src/base": 1229,
+    "src/base": 1299,
     "src/fields": 2858,
     "src/statistics": 729,
     "src/tracks": 4027,
-    "src/parameters": 5674,
-    "src/model": 11145,
-    "src/run": 10548,
+    "src/parameters": 6161,
+    "src/model": 11141,
+    "src/run": 10617,
     "src/validation": 2834,
-    "src/study": 8298,
-    "apps": 5640,
-    "python": 7924,
+    "src/study": 8321,
+    "apps": 5652,
+    "python": 7973,
     "R": 751,
-    "web": 1258,
-    "viewer/src": 10603,
+    "web": 1264,
+    "viewer/src": 10663,
 }
 wide = {"python": 336, "R": 45, "web": 58, "viewer/src": 222}  # lines of more than 120 columns
-most_files = 1276
+most_files = 1282
 endings = (".cpp", ".hpp", ".h", ".py", ".ts", ".css", ".mjs", ".R")
 
 
