@@ -109,7 +109,7 @@ class LikeTheProgram(common.InTemporaryFolder):
         self.assertEqual(loaded, scenario, "sorted by their times")
         loaded.changes = reversed_changes[:1]
         self.assertNotEqual(loaded, scenario)
-        law = Scenario({"laws.growth_force": "g/h", "laws.constants": "g = 1, h = 2",
+        law = Scenario({"laws.growth_force": "g/u", "laws.constants": "g = 1, u = 2",
                         "changes": [{"at": "2 h", "laws.constants.g": 3}]})
         (self.folder / "law.toml").write_text(law.toml())
         matrigrate.base.program.check(self.folder / "law.toml")
