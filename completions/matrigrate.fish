@@ -59,7 +59,7 @@ complete -c matrigrate -n '__matrigrate_at run' -s h -l help -d 'Print this help
 complete -c matrigrate -n '__matrigrate_at run' -s o -l output -x -a '(__fish_complete_directories)' -d 'Folder for the results (default: <scenario>-seed<N>, and what --set changes)'
 complete -c matrigrate -n '__matrigrate_at run' -l seed -x -d 'Seed of the random numbers: run.seed'
 complete -c matrigrate -n '__matrigrate_at run' -l hours -x -d 'Simulated time in hours, or as "30 min": run.duration'
-complete -c matrigrate -n '__matrigrate_at run' -l threads -x -d 'Threads, 0 for all: run.threads; never changes a result'
+complete -c matrigrate -n '__matrigrate_at run' -l threads -x -d 'Threads, 0 for as many as pay: run.threads; never changes a result'
 complete -c matrigrate -n '__matrigrate_at run' -l set -x -d 'key=value, over the file; may be repeated'
 complete -c matrigrate -n '__matrigrate_at run' -l wall-time -x -d 'Stop with a checkpoint after this time of the clock: "2 h"'
 complete -c matrigrate -n '__matrigrate_at run' -l force -d 'Start again in a folder that is not empty: files of an older run are removed, others are kept'
@@ -73,7 +73,7 @@ complete -c matrigrate -n '__matrigrate_at resume' -l at -x -d 'Branch at this s
 complete -c matrigrate -n '__matrigrate_at resume' -l set -x -d 'Branch with key=value; may be repeated'
 complete -c matrigrate -n '__matrigrate_at resume' -l seed -x -d 'Branch with another seed: run.seed'
 complete -c matrigrate -n '__matrigrate_at resume' -l hours -x -d 'Branch with another end: run.duration'
-complete -c matrigrate -n '__matrigrate_at resume' -l threads -x -d 'Threads, 0 for all; never changes a result'
+complete -c matrigrate -n '__matrigrate_at resume' -l threads -x -d 'Threads, 0 for as many as pay; never changes a result'
 complete -c matrigrate -n '__matrigrate_at resume' -l wall-time -x -d 'Stop with a checkpoint after this time of the clock: "2 h"'
 complete -c matrigrate -n '__matrigrate_at resume' -l previous -d 'Go on, or branch, from checkpoint_prev.h5'
 complete -c matrigrate -n '__matrigrate_at resume' -l json -d 'Print the outcome as one JSON object'
@@ -130,13 +130,13 @@ complete -c matrigrate -n '__matrigrate_at study' -s h -l help -d 'Print this he
 complete -c matrigrate -n '__matrigrate_at study plan' -F
 complete -c matrigrate -n '__matrigrate_at study plan' -s h -l help -d 'Print this help message and exit'
 complete -c matrigrate -n '__matrigrate_at study plan' -s o -l output -x -a '(__fish_complete_directories)' -d 'Folder of the study (default: <file>-study)'
-complete -c matrigrate -n '__matrigrate_at study plan' -l jobs -x -d 'Runs at a time, one thread each (default: the number of cores)'
+complete -c matrigrate -n '__matrigrate_at study plan' -l jobs -x -d 'Runs at a time, one thread each, or more where they are fewer (default: the number of cores)'
 complete -c matrigrate -n '__matrigrate_at study plan' -l json -d 'Print the plan as JSON: points with their settings, runs with their seeds'
 
 complete -c matrigrate -n '__matrigrate_at study run' -F
 complete -c matrigrate -n '__matrigrate_at study run' -s h -l help -d 'Print this help message and exit'
 complete -c matrigrate -n '__matrigrate_at study run' -s o -l output -x -a '(__fish_complete_directories)' -d 'Folder of the study (default: <file>-study)'
-complete -c matrigrate -n '__matrigrate_at study run' -l jobs -x -d 'Runs at a time, one thread each (default: the number of cores)'
+complete -c matrigrate -n '__matrigrate_at study run' -l jobs -x -d 'Runs at a time, one thread each, or more where they are fewer (default: the number of cores)'
 complete -c matrigrate -n '__matrigrate_at study run' -l retry-failed -d 'Compute again also what failed numerically; it will fail again unless the program has changed'
 complete -c matrigrate -n '__matrigrate_at study run' -l json -d 'Print the outcome as one JSON object'
 complete -c matrigrate -n '__matrigrate_at study run' -l quiet -d 'Show no progress'
@@ -215,7 +215,7 @@ complete -c matrigrate -n '__matrigrate_at sample' -l scenario -r -F -d 'Change 
 complete -c matrigrate -n '__matrigrate_at sample' -l targets -x -d 'Measured read-outs, from which the distance is computed'
 complete -c matrigrate -n '__matrigrate_at sample' -l seed -x -d 'Seed of the random numbers: run.seed'
 complete -c matrigrate -n '__matrigrate_at sample' -l hours -x -d 'Simulated time in hours, or as "30 min": run.duration'
-complete -c matrigrate -n '__matrigrate_at sample' -l threads -x -d 'Threads, 0 for all: run.threads; never changes a result'
+complete -c matrigrate -n '__matrigrate_at sample' -l threads -x -d 'Threads, 0 for as many as pay: run.threads; never changes a result'
 
 complete -c matrigrate -n '__matrigrate_at reproduce' -s h -l help -d 'Print this help message and exit'
 complete -c matrigrate -n '__matrigrate_at reproduce' -s o -l output -x -a '(__fish_complete_directories)' -d 'Folder for studies and verdicts (default: reproduce)'
