@@ -49,7 +49,7 @@ private:
   char m_before = 0, m_after = 0; // their addresses identify the two synchronisations
 };
 
-std::atomic<unsigned> loops_begun{0};
+std::atomic<unsigned> loops_begun{0}; // by the threads of this process: no result depends on it
 
 /// Lets threads wait for the next loop for a while before they sleep: to wake one takes longer than most loops.
 class Awake : public tbb::task_scheduler_observer {
