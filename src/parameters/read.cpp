@@ -395,7 +395,9 @@ private:
       complain(place_of(file, table.source()), "at",
                "nothing changes then; write below it a parameter with its new value, such as "
                "ecm.youngs_modulus = \"100 Pa\"");
-    for (const auto& [path, place] : given) {
+    for (const auto& entry : given) {
+      const std::string& path = entry.first;
+      const Place& place = entry.second;
       const Row* row = find_row(path, now);
       if (row == nullptr || m_blamed.contains(m_within + path) || !std::isfinite(at)) {
         m_blamed_later.insert(rule_key(path));
@@ -422,9 +424,9 @@ private:
         add(fault.change, &ChangePlace::time, "at", std::move(fault.message));
     std::size_t first = 0;
     for (const Period& period : periods(m_parameters)) {
-      const std::size_t end = std::ranges::find_if(changes.begin() + first, changes.end(),
-                                                   [&](const TimedChange& c) { return c.at > period.from; })
-                              - changes.begin();
+      const auto later = std::find_if(changes.begin() + static_cast<std::ptrdiff_t>(first), changes.end(),
+                                      [&](const TimedChange& c) { return c.at > period.from; });
+      const auto end = static_cast<std::size_t>(later - changes.begin());
       Judgement judgement;
       for (const std::span<const Rule> which : {rules(), more})
         for (const Rule& rule : which) {

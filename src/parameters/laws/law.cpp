@@ -69,7 +69,9 @@ std::vector<LawVariable> law_variables(const Row& law, std::string_view text) {
   const auto in_name = [](char c) { return c == '_' || std::isalnum(static_cast<unsigned char>(c)) != 0; };
   for (auto begin = std::ranges::find_if(text, in_name); begin != text.end();) {
     const auto end = std::find_if_not(begin, text.end(), in_name);
-    const auto shared = std::ranges::find(law.shared, std::string_view(begin, end), &LawVariable::name);
+    const auto shared = std::ranges::find(
+        law.shared, text.substr(static_cast<std::size_t>(begin - text.begin()), static_cast<std::size_t>(end - begin)),
+        &LawVariable::name);
     if (shared != law.shared.end() && std::ranges::find(found, shared->name, &LawVariable::name) == found.end())
       found.push_back(*shared);
     begin = std::find_if(end, text.end(), in_name);
