@@ -26,7 +26,7 @@ class LivePage(unittest.TestCase):
             self.assertRegex(made_of[folder], r"^[0-9a-f]{40}$")
 
     def test_is_one_file_that_asks_no_network_and_holds_its_licences(self):
-        self.assertLess(page.stat().st_size, 2.7e6)
+        self.assertLess(page.stat().st_size, 3.0e6)
         policy = re.search(r'http-equiv="Content-Security-Policy" content="([^"]*)"', text)[1]
         self.assertIn("default-src 'none'", policy)
         self.assertEqual(re.findall(r'<(?:script|link|img|iframe)[^>]+(?:src|href)="(?!data:)[^"]+', text), [])

@@ -11,7 +11,7 @@ budget = {
     "src/fields": 2858,
     "src/statistics": 729,
     "src/tracks": 4027,
-    "src/parameters": 6161,
+    "src/parameters": 6165,
     "src/model": 11141,
     "src/run": 10617,
     "src/validation": 2834,
