@@ -106,11 +106,11 @@ std::string description(const Parameters& p, const Derived& d) {
         fmt::format("{}; {}", section_of(*field.row), field.source));
   add("memory", fmt::format("{:.0f} MB", d.cost.memory_bytes / 1e6), "estimate");
   add("disk", fmt::format("{:.0f} MB", d.cost.disk_bytes / 1e6), "estimate; [output] of the scenario decides");
-  const int threads = run::threads_of(p, d.particles());
+  const int threads = run::threads_of(p, d.particles()), most = run::threads_that_pay(d.particles());
   add("threads", fmt::format("{}", threads),
       p.run.threads > 0 ? "run.threads"
-                        : fmt::format("as many as pay for so many particles, {}, on idle cores",
-                                      run::threads_that_pay(d.particles())));
+      : threads == most ? "pay for so many particles"
+                        : fmt::format("of {} that pay for so many particles: no more cores are idle now", most));
   add("wall time", duration_text(d.cost.wall_time),
       "estimate, on one thread; see the notes of `matrigrate explain -h`");
   return text;

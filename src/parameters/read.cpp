@@ -395,6 +395,8 @@ private:
       complain(place_of(file, table.source()), "at",
                "nothing changes then; write below it a parameter with its new value, such as "
                "ecm.youngs_modulus = \"100 Pa\"");
+    const std::size_t before = changes.size();
+    const auto place_of_time = [&] { return place_of(file, table.get("at")->source()); };
     for (const auto& entry : given) {
       const std::string& path = entry.first;
       const Place& place = entry.second;
@@ -407,21 +409,31 @@ private:
       if (std::ranges::any_of(changes, is_same))
         complain(place, path, "has two values at one time; leave one of them out");
       changes.push_back({at, path, value_text(*row, now)});
-      m_change_places.push_back({m_within, place_of(file, table.get("at")->source()), place});
+      m_change_places.push_back({m_within, place_of_time(), place});
     }
+    if (changes.size() > before || !std::isfinite(at)) return;
+    m_bare_times.changes.push_back({at, {}, {}});
+    m_bare_places.push_back({m_within, place_of_time(), {}});
   }
 
   /// The faults of times, and the rules on the values from each of them on that these decide.
   void check_changes(std::span<const Rule> more) {
     const std::vector<TimedChange>& changes = m_parameters.changes;
-    const auto add = [&](std::size_t k, Place ChangePlace::*which, const std::string& key, std::string message) {
-      const ChangePlace given = k < m_change_places.size() ? m_change_places[k] : ChangePlace{"changes.", {}, {}};
+    const auto add = [&](const ChangePlace& given, Place ChangePlace::*which, const std::string& key,
+                         std::string message) {
       const Place& place = given.*which;
       m_faults.add({place.file, place.line, place.column, given.key + key, std::move(message)});
     };
-    if (!m_blamed.contains("run.duration") && !m_blamed.contains("run.time_step"))
+    const auto place_of_change = [&](std::size_t k) {
+      return k < m_change_places.size() ? m_change_places[k] : ChangePlace{"changes.", {}, {}};
+    };
+    if (!m_blamed.contains("run.duration") && !m_blamed.contains("run.time_step")) {
       for (ChangeFault& fault : change_faults(m_parameters))
-        add(fault.change, &ChangePlace::time, "at", std::move(fault.message));
+        add(place_of_change(fault.change), &ChangePlace::time, "at", std::move(fault.message));
+      m_bare_times.run = m_parameters.run;
+      for (ChangeFault& fault : change_faults(m_bare_times))
+        add(m_bare_places[fault.change], &ChangePlace::time, "at", std::move(fault.message));
+    }
     std::size_t first = 0;
     for (const Period& period : periods(m_parameters)) {
       const auto later = std::find_if(changes.begin() + static_cast<std::ptrdiff_t>(first), changes.end(),
@@ -436,7 +448,7 @@ private:
           if (is_blamed(rule, m_blamed) || is_blamed(rule, m_blamed_later)) continue;
           const std::string fault = judgement(rule, period.p, [&](const Rule& r) { return r.broken(period.p); });
           if (fault.empty()) continue;
-          add(k, &ChangePlace::value, changes[k].path,
+          add(place_of_change(k), &ChangePlace::value, changes[k].path,
               fmt::format("from {} on: {}", period.when, said_of(rule, changes[k].path, fault)));
         }
       first = end;
@@ -504,6 +516,8 @@ private:
   const toml::array* m_changes = nullptr;            ///< the last [[changes]] of these
   std::string m_within;                              ///< "changes[1]." while that one is read
   std::vector<ChangePlace> m_change_places;          ///< of Parameters::changes, if they were given
+  Parameters m_bare_times;                           ///< with the times of changes none of whose values can be read
+  std::vector<ChangePlace> m_bare_places;            ///< of these
   std::set<std::string, std::less<>> m_blamed_later; ///< paths with a fault of their own in a change
 };
 

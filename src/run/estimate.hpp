@@ -21,7 +21,7 @@ struct RunCost {
 /// Particles of the matrix.
 std::size_t particle_count(const Parameters& p);
 
-/// As many threads as pay for so many particles of the matrix.
+/// As many threads as pay for so many particles of the matrix. Test: tests/unit/run/run_test.cpp
 int threads_that_pay(std::size_t particles);
 
 /// run.threads, or where it is 0 as many as pay, on idle cores.

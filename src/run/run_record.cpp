@@ -153,7 +153,7 @@ std::string minute_text(WallClock::time_point time) { return minute_of(utc(time)
 
 std::string configuration_hash(const Parameters& p) {
   Parameters q = p;
-  q.run.threads = 1; // as in all names so far
+  q.run.threads = threads_in_texts;
   return store::text_hash(values_text(q));
 }
 
@@ -197,7 +197,7 @@ std::vector<std::vector<std::string>> commands_of(const Json& record) {
 }
 
 store::FieldOrigin field_origin(Parameters p, std::string trajectory_hash) {
-  p.run.threads = 1;
+  p.run.threads = threads_in_texts;
   return {.program = "matrigrate",
           .version = version_text(),
           .seed = p.run.seed,

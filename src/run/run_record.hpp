@@ -86,6 +86,9 @@ std::string command_text(const std::vector<std::string>& words);
 /// "2026-01-31 12:00 UTC"
 std::string minute_text(std::chrono::system_clock::time_point time);
 
+/// run.threads in texts that name or describe a run, since it decides on no result: that of all versions so far.
+inline constexpr int threads_in_texts = 1;
+
 /// Fingerprint of all that decides on the results: the resolved scenario but for the number of threads.
 std::string configuration_hash(const Parameters& p);
 

@@ -85,6 +85,10 @@ TEST_F(Changes, AreInForceWhereABranchBegins) {
   EXPECT_TRUE(contains(warned.err, "fibres.arrangement = \"uniaxial\" holds until 20 s")) << warned.err;
   ASSERT_EQ(run("resume whole --at '16 s' --set changes=[] -o none --quiet").code, 0);
   EXPECT_FALSE(contains(text_of(folder / "none/scenario.resolved.toml"), "[[changes]]"));
+  const Ended second = run("resume branch --at '8 s' --set 'cell.dashpot=0.003 N s/m' -o second");
+  EXPECT_EQ(second.code, 3);
+  EXPECT_TRUE(contains(second.err, "it is a branch, whose past up to 16 s had other parameters")) << second.err;
+  EXPECT_FALSE(exists("second"));
 }
 
 TEST_F(Changes, AreNamedByCheckAndExplain) {

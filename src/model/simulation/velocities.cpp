@@ -101,11 +101,9 @@ std::optional<StepTooLong> crossing(const State& s, double dt, std::span<const V
 /// Makes v the velocities of matrix and cells.
 void accept(State& s, Workspace& w) {
   SolverMemory& memory = s.solver_memory;
-  side_by_side({[&] { memory.x_drag = w.drag_cache.x_drag(); },
-                [&] {
-                  node_velocities(s, memory.v_before);
-                  set_node_velocities(s, w.v);
-                }});
+  memory.x_drag = w.drag_cache.x_drag();
+  node_velocities(s, memory.v_before);
+  set_node_velocities(s, w.v);
 }
 
 } // namespace

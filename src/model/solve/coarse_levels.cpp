@@ -234,12 +234,11 @@ void CoarseLevels::take_links(const DragSystem& A, const Elimination& eliminatio
 
 /// r = b - (A + P^T E P) x.
 void CoarseLevels::residual(Level& level) {
-  side_by_side({[&] { level.pairs.residual(level.diagonal, level.b, level.x, level.r); },
-                [&] {
-                  m_linked.set_zero();
-                  level.at_links.interpolate(level.x, m_linked);
-                  m_links.multiply(m_linked);
-                }});
+  level.pairs.residual(level.diagonal, level.b, level.x, level.r);
+  if (m_links.size() == 0) return;
+  m_linked.set_zero();
+  level.at_links.interpolate(level.x, m_linked);
+  m_links.multiply(m_linked);
   level.at_links.subtract_restricted(m_linked, level.r);
 }
 

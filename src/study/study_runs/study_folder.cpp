@@ -32,7 +32,7 @@ constexpr const char* scenario_file = "scenario.resolved.toml";
 /// The base as it is written: its seed and threads have no meaning in a study.
 Parameters neutral(Parameters p) {
   p.run.seed = RunParameters{}.seed;
-  p.run.threads = 1;
+  p.run.threads = run::threads_in_texts;
   return p;
 }
 

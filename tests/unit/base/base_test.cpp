@@ -289,6 +289,11 @@ TEST(Parallel, WorkSideBySideIsDoneOnce) {
   }
 }
 
+TEST(Parallel, IdleThreadsAreSomeOfTheMachines) {
+  EXPECT_GE(idle_threads(), 1);
+  EXPECT_LE(idle_threads(), hardware_threads());
+}
+
 TEST(Parallel, AFailureBesideOtherWorkReachesTheCaller) {
   const ThreadLimit limit(2);
   EXPECT_THROW(side_by_side({[] { throw std::runtime_error("no"); }, [] {}}), std::runtime_error);

@@ -91,6 +91,14 @@ TEST(Changes, SayWhatIsWrongWithTheirTimes) {
             "f.toml:3:1: changes[1]: has no time; write it like at = \"3 h\"");
 }
 
+TEST(Changes, SayWhatIsWrongWithATimeBesideAValue) {
+  EXPECT_EQ(faults_of("[run]\nduration = \"2 h\"\n[[changes]]\nat = \"3 h\"\ncell.radius = 9\n"),
+            (std::vector<std::string>{
+                "f.toml:4:6: changes[1].at: 3 h is not before the end of the run, run.duration, 2 h",
+                "f.toml:5:15: changes[1].cell.radius: cannot change in the middle of a run: matrix and cells are made "
+                "with it at the start"}));
+}
+
 TEST(Changes, SayWhatIsWrongWithTheirValues) {
   const std::string at = "at = \"1 h\"\n";
   EXPECT_EQ(fault_of_change(at),

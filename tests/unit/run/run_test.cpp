@@ -1,7 +1,9 @@
 #include "base/failure.hpp"
 #include "base/file.hpp"
+#include "base/parallel.hpp"
 #include "observe/readout_table.hpp"
 #include "run/cadence.hpp"
+#include "run/estimate.hpp"
 #include "run/readouts_of_tables.hpp"
 #include "run/run_record.hpp"
 
@@ -134,6 +136,18 @@ TEST(ConfigurationHash, IsTheSameForAnyNumberOfThreadsOnly) {
   EXPECT_EQ(configuration_hash(p), of_one);
   ++p.run.seed;
   EXPECT_NE(configuration_hash(p), of_one);
+}
+
+TEST(Threads, AreThoseAskedForOrThosePayingOnIdleCores) {
+  Parameters p;
+  p.run.threads = 3;
+  EXPECT_EQ(threads_of(p, 1000), 3);
+  p.run.threads = 0;
+  EXPECT_EQ(threads_of(p, 7999), 1) << "a small matrix";
+  EXPECT_EQ(threads_that_pay(17'665), 2);
+  EXPECT_EQ(threads_that_pay(282'697), 4);
+  EXPECT_LE(threads_of(p, 282'697), hardware_threads());
+  EXPECT_GE(threads_of(p, 282'697), 1);
 }
 
 } // namespace
