@@ -12,7 +12,7 @@ import numpy as np  # noqa: E402
 import pandas  # noqa: E402
 from matrigrate import calibrate, tracks  # noqa: E402
 from matrigrate.errors import ConfigurationError  # noqa: E402
-from matrigrate.fit import fit as _fit, hypotheses  # noqa: E402
+from matrigrate.fit import fit as _fit, hypotheses, report  # noqa: E402
 from matrigrate.fit.measurement import Points  # noqa: E402
 from scipy.stats import qmc  # noqa: E402
 
@@ -67,6 +67,8 @@ class OfNumbers(unittest.TestCase):
             self.assertIn("<h2>washout beside control</h2>", text)
             self.assertNotIn("http", text)
             self.assertEqual(len(pandas.read_csv(page.parent / "comparison.csv")), 8)
+        pair = report.named("ecm.youngs_modulus_Pa + protrusion.force_nN")
+        self.assertRegex(pair, r"^Young.* E \(Pa\) \+ growth force of a protrusion, F.*\(nN\)$")
 
     def test_the_probability_of_the_data_is_that_of_a_model_in_closed_form(self):
         """Of v = 10 a, nothing but a may differ: control 5, treated 6, errors 0.3."""

@@ -94,9 +94,10 @@ def table(made: pandas.DataFrame, heads: dict[str, str] | None = None) -> str:
 
 
 def named(name: str) -> str:
-    """A parameter or a read-out for HTML: words, symbol and unit."""
+    """A parameter, several joined by +, or a read-out for HTML: words, symbol and unit."""
     readout, between, condition = name.partition(" at ")
-    return _words.lettered(html.escape(_words.title(readout))) + html.escape(between + condition)
+    words = " + ".join(_words.lettered(html.escape(_words.title(one))) for one in readout.split(" + "))
+    return words + html.escape(between + condition)
 
 
 def figure(draw: Callable[[], Any], caption: str) -> str:
