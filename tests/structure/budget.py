@@ -17,7 +17,7 @@ budget = {
     "src/validation": 2834,
     "src/study": 8321,
     "apps": 5652,
-    "python": 7973,
+    "python": 7974,
     "R": 751,
     "web": 1264,
     "viewer/src": 10663,
