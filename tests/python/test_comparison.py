@@ -137,7 +137,7 @@ class OfTracks(unittest.TestCase):
 
     def test_refused(self):
         for words, treated in ((["treated: has one cell; 2 read-outs of tracks need 4"], walks(1.4, 0.6, 1, self.random)),
-                               (["treated: has a position every 120 s, control every 60 s", "take every(...)"], walks(1.4, 0.6, 9, self.random, 0, 120.0)),
+                               (["treated: has a position every 120 s, control every 60 s", "every(120), or `matrigrate tracks FILE --every 120"], walks(1.4, 0.6, 9, self.random, 0, 120.0)),
                                (["treated: 10 of 10 tracks are tracks of control: give each group its own"],
                                 tracks.Tracks({f"x{name}": track + 5.0 for name, track in self.control.items()}, 60.0, []))):
             with self.assertRaises(ConfigurationError) as caught:

@@ -212,14 +212,14 @@ class Refused(unittest.TestCase):
             fitted(good, held_back="speed")
 
     def test_data_frames(self):
-        self.refused("prior: is needed for a data frame", {"speed": (1, 1)}, prior=None)
-        self.refused("c: the data frame has no such column", {"speed": (1, 1)}, prior=prior | {"c": (0, 1)})
-        self.refused("condition: the data frame has no such column", {"soft": {"speed": (1, 1)}}, runs().drop(columns="condition"))
+        self.refused("prior: is needed for a table", {"speed": (1, 1)}, prior=None)
+        self.refused("c: the table has no such column", {"speed": (1, 1)}, prior=prior | {"c": (0, 1)})
+        self.refused("condition: the table has no such column", {"soft": {"speed": (1, 1)}}, runs().drop(columns="condition"))
         self.refused("speed: two columns have this name", {"speed": (1, 1)}, runs().rename(columns={"length": "speed"}))
         self.refused("a: only finite numbers can be fitted", {"speed": (1, 1)}, runs().assign(a="x"))
         self.refused("speed: is no number in the runs", {"speed": (1, 1)}, runs().assign(speed="fast"))
         cells = tracks.Tracks({"1": np.zeros((5, 2)) + np.arange(5)[:, None], "2": np.ones((5, 2)) * np.arange(5)[:, None]**1.1}, 60.0, [])
-        self.refused("speed_um_per_h: a data frame has no tracks", {"soft": cells}, readouts=["speed_um_per_h"])
+        self.refused("speed_um_per_h: the table has no such column, and no tracks", {"soft": cells}, readouts=["speed_um_per_h"])
 
     def test_numbers_that_are_none(self):
         for wrong, said in ((((2, 1), 0.3), "(2, 1) is no range from a lower to a higher end"), (((-math.inf, math.inf), 1), "has no value"),

@@ -111,13 +111,13 @@ def _of_one(source: Any, conditions: Sequence[str], given: Sequence[str]) -> dic
 
 def _of_frame(frame: pandas.DataFrame, conditions: Sequence[str], given: Sequence[str]) -> dict[str, Runs]:
     if not given:
-        raise ConfigurationError("prior: is needed for a data frame: it names the parameters and their ranges")
+        raise ConfigurationError("prior: is needed for a table: it names the parameters and their ranges")
     columns = list(frame.columns)
     faults = [f"{name}: two columns have this name" for name in dict.fromkeys(columns) if columns.count(name) > 1]
-    faults += [f"{name}: the data frame has no such column" for name in given if name not in columns]
+    faults += [f"{name}: the table has no such column" for name in given if name not in columns]
     faults += [f"{name}: only finite numbers can be fitted" for name in given if columns.count(name) == 1 and not _is_finite(frame[name])]
     if conditions and "condition" not in columns:
-        faults.append("condition: the data frame has no such column")
+        faults.append("condition: the table has no such column")
     if faults:
         raise ConfigurationError("\n".join(faults))
     table = frame.assign(point=frame.groupby(list(given), sort=False).ngroup(), status=frame["status"] if "status" in columns else "done")

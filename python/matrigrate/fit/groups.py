@@ -168,9 +168,10 @@ def _alike(given: Mapping[str, Any]) -> list[str]:
     for k, (name, one) in enumerate(given.items()):
         first = next(iter(of_tracks), name)
         if name in of_tracks and abs(one.interval / of_tracks[first].interval - 1) > 1e-6:
+            longer = max(one.interval, of_tracks[first].interval)
             faults.append(f"{name}: has a position every {one.interval:g} s, {first} every "
-                          f"{of_tracks[first].interval:g} s: speeds and angles depend on it; take every(...) of the "
-                          "group with the shorter interval")
+                          f"{of_tracks[first].interval:g} s: speeds and angles depend on it; thin the denser tracks: "
+                          f"every({longer:g}), or `matrigrate tracks FILE --every {longer:g} -o OTHER.csv`")
         for other in list(given)[:k]:
             if name in paths and other in paths and (twice := len(paths[name] & paths[other])):
                 faults.append(f"{name}: {twice} of {len(one)} tracks are tracks of {other}: give each group its own")

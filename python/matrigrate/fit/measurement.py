@@ -215,6 +215,8 @@ def simulated(study: Study | Runs, names: Sequence[str], interval: float | None,
         require_study(study)
     if isinstance(names, str):
         raise arguments.wrong("readouts", names, "a list of read-outs")
+    if not 0 <= error < float("inf"):
+        raise ConfigurationError(f"error: {error:g} um is no localisation error")
     runs = study if isinstance(study, Runs) else runs_of(study, [], [])[""]
     if interval is not None:
         core()  # as above
@@ -242,6 +244,8 @@ def simulated(study: Study | Runs, names: Sequence[str], interval: float | None,
     of_all = frame(counts, columns=list(names))
     notes = [f"{name}: {int(few)} of {sum(done)} runs that are done do not have it; their points have the mean of the others, or none"
              for name, few in (sum(done) - of_all.sum()).items() if few > 0]
+    if error > 0 and not of_tracks:
+        notes.append(f"error: {error:g} um is not added: no read-out is computed from simulated tracks")
     return Points(frame(points, columns=runs.parameters).reset_index(drop=True), frame(rows, columns=list(names)).reset_index(drop=True),
                   np.array(done, dtype=float), int(np.median(lengths)) if lengths else 0, [*lost(results), *notes], all_seen, runs.design, of_all)
 
@@ -253,7 +257,7 @@ def _require_numbers(runs: Runs, of_tracks: Sequence[str], of_runs: Sequence[str
         faults.append(f"there is no read-out {', '.join(unknown)}; there are {', '.join([*motility.meanings(), *known])}")
     faults += [f"{name}: is no number in the runs" for name in of_runs if name in known and runs.table[name].dtype == object]
     if of_tracks and not runs.studies:
-        faults.append(f"{', '.join(of_tracks)}: a data frame has no tracks")
+        faults.append(f"{', '.join(of_tracks)}: the table has no such column, and no tracks")
     elif of_tracks and interval is None:
         faults.append("interval: that of the measured tracks is needed [s]: speed, ratios and angles depend on it")
     if not (of_tracks or of_runs):

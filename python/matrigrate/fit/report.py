@@ -397,6 +397,9 @@ def _treated_over_control(own: pandas.DataFrame) -> Any:
     left.set_xlabel("treated over control")
     left.set_yticks(at, [f"{wrapped(name, 34)}: {share:.2g}" for name, share in rows["probability"].items()])
     left.invert_yaxis()
+    if rows["over_nothing_error"].isna().all():  # without scores
+        right.remove()
+        return made
     right.errorbar(rows["over_nothing"], at, xerr=rows["over_nothing_error"], fmt="o", color=red, ecolor=red)
     right.axvline(0, color=grey, linewidth=0.8)
     right.set_xlabel("score over that of nothing")
