@@ -1,4 +1,6 @@
 """Comparisons of groups of cells against models whose parameters are known; what is refused, said and written."""
+import contextlib
+import io
 import math
 import pathlib
 import unittest
@@ -10,7 +12,7 @@ common.skip_without("scipy", "matplotlib")
 
 import numpy as np  # noqa: E402
 import pandas  # noqa: E402
-from matrigrate import calibrate, tracks  # noqa: E402
+from matrigrate import calibrate, compare, tracks  # noqa: E402
 from matrigrate.errors import ConfigurationError  # noqa: E402
 from matrigrate.fit import fit as _fit, hypotheses, report  # noqa: E402
 from matrigrate.fit.measurement import Points  # noqa: E402
@@ -144,6 +146,70 @@ class OfTracks(unittest.TestCase):
                 calibrate.compare(self.emulators, self.control, treated)
             for one in words:
                 self.assertIn(one, str(caught.exception))
+
+
+class OfFiles(common.InTemporaryFolder):
+    """The command line."""
+
+    def setUp(self):
+        super().setUp()
+        random = np.random.default_rng(2)
+        for name, start, n in (("control", 0, 6), ("drug", 10, 6), ("one", 20, 1)):
+            walks(1.4, 0.3, n, random, start).table().to_csv(f"{name}.csv", index=False)
+        walks(1.4, 0.3, 6, random, 0, 120.0).table().to_csv("slow.csv", index=False)
+        runs().rename(columns={"speed": "speed_um_per_h"}).assign(speed_um_per_h=lambda one: 8 * one["speed_um_per_h"]).to_csv("design.csv", index=False)
+        pathlib.Path("numbers.csv").write_text("group,readout,mean,error\ncontrol,length,17,0.2\ndrug,length,15,0.2\n")
+
+    def called(self, *words, design="design.csv", prior=("a=0:1", "b=1:10:log")):
+        out, err = io.StringIO(), io.StringIO()
+        ranges = [word for one in prior for word in ("--prior", one)]
+        with contextlib.redirect_stdout(out), contextlib.redirect_stderr(err):
+            code = compare.main([design, "control.csv", "--readouts", "speed_um_per_h", "-o", "out", *ranges, *words])
+        return code, out.getvalue(), err.getvalue()
+
+    def test_sentences_and_page(self):
+        pathlib.Path("out").mkdir()
+        words = ["drug=drug.csv", "--besides", "numbers.csv", "--known", "a=0.4:0.4", "--no-scores"]
+        self.assertEqual(self.called(*words), (5, "", "out: exists already; give a new folder, or force\n"))
+        code, out, err = self.called(*words, "--error", "0.1", "--force")
+        self.assertEqual(code, 0, err)
+        self.assertEqual(err, "error: 0.1 um is not added: no read-out is computed from simulated tracks\n")
+        self.assertTrue(pathlib.Path("out/report.html").is_file())
+        found = calibrate.compare(pandas.read_csv("design.csv"), tracks.read("control.csv"), {"drug": tracks.read("drug.csv")},
+                                  ["speed_um_per_h"], besides={"control": {"length": (17, 0.2)}, "drug": {"length": (15, 0.2)}},
+                                  prior=prior, known={"a": (0.4, 0.4)}, scores=False)
+        self.assertEqual(out.splitlines(), found.words)
+        self.assertIn("drug: b may still differ by a factor of ", out)
+        self.assertEqual(list(found.table["differs"]), ["nothing", "b"])
+        pandas.testing.assert_frame_equal(pandas.read_csv("out/comparison.csv"), found.table, check_dtype=False)
+
+    def test_refused(self):
+        pathlib.Path("twice.csv").write_text("group,readout,mean,error\n" + 2 * "control,length,17,0.2\n")
+        pathlib.Path("other.csv").write_text("group;mean\n")
+        for code, fault, words, more in (
+            (5, "no.csv: cannot be read: No such file or directory\nnone.csv: cannot be read: No such file or directory\n",
+             ["no.csv", "--besides", "none.csv"], {}),
+            (5, "none: there is no such folder\n", ["drug.csv"], {"design": "none"}),
+            (3, "prior: is needed for a table: it names the parameters and their ranges\n", ["drug.csv"], {"prior": ()}),
+            (3, "prior: b: (1.0, 'ten') is no range (low, high)", ["drug.csv"], {"prior": ("a=0:1", "b=1:ten")}),
+            (3, "control: sped: has no measured value; tracks have speed_um_per_h, ", ["drug.csv", "--readouts", "sped"], {}),
+            (3, "one.csv: has 1 track of at least 4 positions; 2 are needed", ["one.csv"], {}),
+            (3, "treated: has a position every 120 s, control every 60 s", ["slow.csv"], {}),
+            (3, "treated: 6 of 6 tracks are tracks of control: give each group its own\n", ["control.csv"], {}),
+            (3, "treated: two groups have this name; give LABEL=FILE\n", ["drug.csv", "slow.csv"], {}),
+            (3, "known: c: is no parameter of the study, which varies a, b\nknown: a: (0.5, 'x') are no 2 numbers: one for control, "
+             "one for treated\n", ["drug.csv", "--known", "c=1:2", "--known", "a=0.5:x"], {}),
+            (3, "parameters: c: is no parameter of the study", ["drug.csv", "--parameters", "a,c"], {}),
+            (3, "error: -1 um is no localisation error\n", ["drug.csv", "--error", "-1"], {}),
+            (3, "twice.csv: has two rows of control, length\n", ["drug.csv", "--besides", "twice.csv"], {}),
+            (3, "other.csv: has no column group, readout, mean, error, but group;mean\n", ["drug.csv", "--besides", "other.csv"], {}),
+            (3, "besides: drug: there is no such group; there are control, treated\n", ["drug.csv", "--besides", "numbers.csv"], {}),
+        ):
+            with self.subTest(fault):
+                own, out, err = self.called(*words, **more)
+                self.assertEqual((own, out), (code, ""))
+                self.assertTrue(err.startswith(fault), err)
+                self.assertFalse(pathlib.Path("out").exists())
 
 
 if __name__ == "__main__":
