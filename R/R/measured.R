@@ -8,11 +8,10 @@ read_measured_tracks <- function(file, pixel = NULL, frame_interval = NULL, time
   dir.create(folder)
   on.exit(unlink(folder, recursive = TRUE))
   out <- file.path(folder, "tracks.csv")
-  option <- function(name, value) if (!is.null(value)) c(name, .word(value))
   printed <- call_matrigrate(
-    "tracks", path.expand(file), "--json", "--resamples", 0, "--records", "-o", out, option("--pixel", pixel),
-    option("--interval", frame_interval), option("--time-unit", time_unit), option("--layout", layout), option("--splits", splits),
-    option("--jitter", jitter), option("--shortest", shortest), option("--fewest", fewest), if (drift) "--drift",
+    "tracks", path.expand(file), "--json", "--resamples", 0, "--records", "-o", out, .option("--pixel", pixel),
+    .option("--interval", frame_interval), .option("--time-unit", time_unit), .option("--layout", layout),
+    .option("--splits", splits), .option("--jitter", jitter), .option("--shortest", shortest), .option("--fewest", fewest), if (drift) "--drift",
     unlist(lapply(seq_along(columns), function(i) c("--columns", paste0(names(columns)[i], "=", .word(columns[[i]])))))
   )
   rows <- .table(out, "track")

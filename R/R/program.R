@@ -1,13 +1,8 @@
 run_matrigrate <- function(scenario, seed = NULL, out = NULL, hours = NULL, set = NULL, threads = NULL, force = FALSE) {
   if (!is.character(scenario) || length(scenario) != 1) stop("scenario: the path of a scenario file is expected", call. = FALSE)
-  if (length(set) > 0 && (is.null(names(set)) || any(names(set) == ""))) {
-    stop("set: names of parameters are expected, as in c(ecm.youngs_modulus = \"50 Pa\")", call. = FALSE)
-  }
-  option <- function(name, value) if (!is.null(value)) c(name, .word(value))
   printed <- call_matrigrate(
-    "run", path.expand(scenario), "--json", "--quiet", option("--seed", seed), option("-o", out), option("--hours", hours),
-    option("--threads", threads), if (force) "--force",
-    unlist(lapply(names(set), function(name) c("--set", paste0(name, "=", .word(set[[name]])))))
+    "run", path.expand(scenario), "--json", "--quiet", .option("--seed", seed), .option("-o", out),
+    .option("--hours", hours), .option("--threads", threads), if (force) "--force", .named("--set", set)
   )
   folder <- sub("^ *\"folder\": \"(.*)\",?$", "\\1", grep("^ *\"folder\": ", printed, value = TRUE)[1])
   invisible(gsub("\\\\(.)", "\\1", folder)) # JSON guards quotes and backslashes
@@ -15,7 +10,11 @@ run_matrigrate <- function(scenario, seed = NULL, out = NULL, hours = NULL, set 
 
 call_matrigrate <- function(...) {
   words <- unlist(lapply(list(...), .word))
-  program <- .program()
+  .call(.program(), words)
+}
+
+# The lines that a program prints; its words on stderr as a message, its exit code as an error.
+.call <- function(program, words) {
   files <- tempfile(c("out", "err"))
   on.exit(unlink(files))
   code <- system2(program, shQuote(words), stdout = files[1], stderr = files[2])
@@ -24,6 +23,18 @@ call_matrigrate <- function(...) {
   if (code != 0) .stop_with(code, if (nzchar(said)) said else paste0(program, ": ended with the exit code ", code))
   if (nzchar(said)) message(said)
   invisible(printed[[1]])
+}
+
+.option <- function(name, value) if (!is.null(value)) c(name, .word(value))
+
+# An option for each parameter, with its values.
+.named <- function(option, values) {
+  if (length(values) > 0 && (is.null(names(values)) || any(names(values) == ""))) {
+    example <- if (option == "--set") "c(ecm.youngs_modulus = \"50 Pa\")" else "list(ecm.youngs_modulus_Pa = c(50, 400))"
+    stop(sub("--", "", option), ": names of parameters are expected, as in ", example, call. = FALSE)
+  }
+  texts <- vapply(values, function(value) paste(.word(value), collapse = ":"), "")
+  unlist(lapply(names(values), function(name) c(option, paste0(name, "=", texts[[name]]))))
 }
 
 .stop_with <- function(code, ...) {

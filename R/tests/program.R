@@ -81,3 +81,48 @@ stopifnot(identical(worded, c(
   "splits = \"cut\", drift = TRUE; fewest {none}"
 )))
 stopifnot(grepl("names are expected", tryCatch(read_measured_tracks("spots.csv", columns = "x"), error = conditionMessage)))
+
+# Which parameter a treatment changed: a script stands in for Python.
+stand_in(
+  "[ \"$3\" = -c ] && exit 0", paste0("printf '%s\\n' \"$@\" >'", words, "'"),
+  "while [ \"$1\" != -o ]; do [ \"$1\" = --besides ] && cat \"$2\" >&2; shift; done",
+  "mkdir \"$2\"", "echo 'treated: it is a'",
+  "printf 'group,differs,ratio_5,candidate\\ntreated,nothing,,False\\ntreated,a,0.5,True\\n' >\"$2/comparison.csv\""
+)
+Sys.setenv(PYTHON = Sys.getenv("MATRIGRATE"))
+out <- tempfile("a comparison ")
+numbers <- data.frame(group = "control", readout = "f_mat", mean = 0.3, error = 0.1)
+told <- character()
+printed <- utils::capture.output(found <- withCallingHandlers(
+  compare_treatment("my design.csv", "control.csv", c(drug = "d=1.csv", "two words" = "w.csv"), c("x", "y"), out,
+    prior = list(a = c(50, 400, "log"), b = 1:2), pixel = 0.65, frame_interval = 60, error = 0.2, besides = numbers,
+    known = list(b = c(1, 1.5)), parameters = c("a", "b"), pairs = FALSE, scores = FALSE, force = TRUE
+  ),
+  message = function(m) {
+    told <<- conditionMessage(m)
+    invokeRestart("muffleMessage")
+  }
+))
+given <- readLines(words)
+stopifnot(
+  identical(printed, "treated: it is a"), identical(attr(found, "words"), printed),
+  identical(found$differs, c("nothing", "a")), identical(found$candidate, c(FALSE, TRUE)),
+  identical(found$ratio_5, c(NA, 0.5)),
+  identical(told, "\"group\",\"readout\",\"mean\",\"error\"\n\"control\",\"f_mat\",0.3,0.1\n"),
+  identical(given[-match("--besides", given) - 1], c(
+    "-P", "-B", "-m", "matrigrate.compare", "--readouts", "x,y", "--prior", "a=50:400:log", "--prior", "b=1:2",
+    "--pixel", "0.65", "--frame-interval", "60", "--error", "0.2", "--besides", "--known", "b=1:1.5",
+    "--parameters", "a,b", "--no-pairs", "--no-scores", "-o", out, "--force", "--", "my design.csv", "control.csv",
+    "drug=d=1.csv", "two words=w.csv"
+  ))
+)
+tracks <- data.frame(id = "1", t_s = 0, x_um = 0, y_um = 0)
+invisible(utils::capture.output(compare_treatment("design", tracks, tracks, "straightness", tempfile())))
+stopifnot(grepl("/control[.]csv$", readLines(words)[11]), grepl("^treated=.*/treated1[.]csv$", readLines(words)[12]))
+stopifnot(grepl("^known: names of parameters are expected", tryCatch(
+  compare_treatment("design", "c.csv", "t.csv", "straightness", out, known = 1), error = conditionMessage
+)))
+Sys.setenv(PYTHON = "/no/such/python")
+none <- caught(compare_treatment("design", "c.csv", "t.csv", "straightness", out))
+stopifnot(is.na(none$exit_code))
+stopifnot(grepl("^/no/such/python .* has not the Python package matrigrate", conditionMessage(none)))

@@ -28,7 +28,7 @@ def ran(page: pathlib.Path) -> blocks.Runner:
     runner = blocks.Runner(page)
     with tempfile.TemporaryDirectory() as folder:
         os.chdir(folder)
-        for name in ("R", "docs", "python", "scenarios"):
+        for name in ("R", "docs", "python", "scenarios", "viewer"):
             (pathlib.Path(folder) / name).symlink_to(source / name)
         runner.run()
         os.chdir(here)
@@ -48,7 +48,7 @@ def main() -> int:
     os.environ["MPLBACKEND"] = "agg"
     for core in program.parents[1].glob("python/_core*.so"):
         os.environ.setdefault("MATRIGRATE_CORE", str(core))
-    os.environ["PATH"] = f"{program.parent}:{os.environ['PATH']}"
+    os.environ["PATH"] = f"{program.parent}:{pathlib.Path(sys.executable).parent}:{os.environ['PATH']}"  # python3: this one
     sys.path.insert(0, str(source / "python"))
     bad = False
     for name in options.pages or tested_pages():

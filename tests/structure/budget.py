@@ -17,13 +17,13 @@ budget = {
     "src/validation": 2834,
     "src/study": 8321,
     "apps": 5652,
-    "python": 7974,
-    "R": 751,
+    "python": 8111,
+    "R": 849,
     "web": 1264,
     "viewer/src": 10663,
 }
 wide = {"python": 336, "R": 45, "web": 58, "viewer/src": 222}  # lines of more than 120 columns
-most_files = 1282
+most_files = 1285
 endings = (".cpp", ".hpp", ".h", ".py", ".ts", ".css", ".mjs", ".R")
 
 
