@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # Ends runs at random moments by a signal and resumes them: every file must be that of the run without a break. Takes
-# scenarios with fibres, obstacles, fields, cues, several cells and nuclei in turn, each run with one or two threads.
+# scenarios with fibres, obstacles, fields, cues, several cells, nuclei and changes in turn; runs have one thread and are
+# resumed with two, or the other way round. A run with changes is ended between its two changes.
 #   tests/long/kill.sh PROGRAM [TIMES] [SIGNAL...]      (4 times each scenario by KILL and 4 by TERM by default)
 # Times of the clock stand in run.json, report.html and checkpoints. Of run.json status, fingerprints and the like are
 # compared, of checkpoints every array and text but for the time that the steps took, the number of threads and how
@@ -80,6 +81,15 @@ y = "0 um"
 [[cells]]
 x = "22 um"
 y = "0 um"'
+changes='[[changes]]
+at = "20 s"
+actomyosin.force = "0.3 nN"
+ecm.youngs_modulus = "400 Pa"
+protrusion.initiation_rate = "2e-3 1/s"
+[[changes]]
+at = "340 s"
+actomyosin.force = "0.6 nN"
+laws.growth_force = "0.5"'
 fields='[ecm.fields]'
 scenario() { printf '%s\n' "$common" "${@:2}" >"$1.toml"; }
 scenario plain
@@ -90,11 +100,12 @@ scenario file "$fields" "$stiffness"
 scenario cues "$fields" "$attractant" "$cues"
 scenario cells "$cells"
 scenario nucleus "$nucleus"
+scenario changes "$changes"
 scenario all "$fields" "$stiffness" "$obstacle" "$attractant" "$fibres" "$cues" "$nucleus" "$cells"
 sed -i 's/^radius = "60 um"/radius = "75 um"/' cells.toml all.toml # else one of the cells reaches the rim
 
 failed=0 runs=0 broken_off=0 compared=0
-for scenario in ${SCENARIOS:-plain fibres obstacle formula file cues cells nucleus all}; do
+for scenario in ${SCENARIOS:-plain fibres obstacle formula file cues cells nucleus changes all}; do
   begin=$(date +%s%N)
   "$program" run $scenario.toml -o whole --quiet >/dev/null
   wall=$((($(date +%s%N) - begin) / 1000000)) # [ms]
@@ -102,15 +113,24 @@ for scenario in ${SCENARIOS:-plain fibres obstacle formula file cues cells nucle
     for _ in $(seq "$times"); do
       after=$((RANDOM * 32768 + RANDOM))
       after=$((after % wall))
-      "$program" run $scenario.toml -o here --quiet --threads $((1 + RANDOM % 2)) >/dev/null 2>&1 &
+      threads=$((1 + runs % 2))
+      "$program" run $scenario.toml -o here --quiet --threads $threads >/dev/null 2>&1 &
       process=$!
-      sleep "$(printf '%d.%03d' $((after / 1000)) $((after % 1000)))"
+      if [ $scenario = changes ]; then
+        when="$((24 + after % 290)) s of the run"
+        until awk -F, -v "t=${when%% *}" 'END { exit !($2 + 0 >= t) }' here/tracks.csv 2>/dev/null; do
+          kill -0 $process 2>/dev/null && sleep 0.02 || break
+        done
+      else
+        when="$after ms"
+        sleep "$(printf '%d.%03d' $((after / 1000)) $((after % 1000)))"
+      fi
       kill -s "$signal" $process 2>/dev/null && broken_off=$((broken_off + 1))
       wait $process 2>/dev/null || true
-      "$program" run $scenario.toml -o here --quiet >/dev/null
+      "$program" run $scenario.toml -o here --quiet --threads $((3 - threads)) >/dev/null
       read -r count wrong <<<"$(/usr/bin/python3 compare.py)"
       runs=$((runs + 1)) compared=$((compared + count))
-      [ -z "$wrong" ] || { echo "$scenario, $signal after $after ms: differs or is not there: $wrong" && failed=$((failed + 1)); }
+      [ -z "$wrong" ] || { echo "$scenario, $signal after $when: differs or is not there: $wrong" && failed=$((failed + 1)); }
       rm -rf here
     done
   done
