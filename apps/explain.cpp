@@ -125,7 +125,7 @@ std::string laws_text(const Parameters& p) {
     if (const std::string constants = constants_of(*law, p); !constants.empty())
       text += fmt::format("where {}\n", constants);
     text += "checked, on a grid, over";
-    const std::vector<LawVariable> variables = law_variables(*law, text_of(*law, p));
+    const std::vector<LawVariable> variables = law_variables(*law, text_of(*law, p), p);
     for (const LawVariable& argument : variables)
       text +=
           fmt::format("{} {} from {}", &argument == variables.data() ? "" : ",", argument.name, range_text(argument));
@@ -147,7 +147,7 @@ std::string laws_text(const Parameters& p) {
 Json ranges_json(const Parameters& p) {
   Json all = Json::object();
   for (const Row* law : changed_laws(p))
-    for (const LawVariable& argument : law_variables(*law, text_of(*law, p)))
+    for (const LawVariable& argument : law_variables(*law, text_of(*law, p), p))
       all[std::string(law->path)][std::string(argument.name)] = {
           {"low", argument.low}, {"high", argument.high}, {"unit", argument.unit}};
   return all;

@@ -68,6 +68,25 @@ TEST_F(LawsOfScenarios, InOtherWordsAreTheSameRun) {
   EXPECT_TRUE(contains(other.err, "laws.constants: l_s = 5 um, n = 1 there, none here")) << other.err;
 }
 
+// Constants whose names came to be those of arguments after 0.3.0.
+TEST_F(LawsOfScenarios, OfTheEarlierVersionAreTheSameRun) {
+  const auto ended = [&](const std::string& folder, const std::string& x, const std::string& speed) {
+    return run("run cell.toml -o " + folder
+               + " --quiet --set run.duration='0.002 h' --set 'laws.growth_force=max(0, 1 - l/" + x + ")*" + speed
+               + "' --set 'laws.constants=" + speed + " = 0.8, " + x + " = 25 um'");
+  };
+  const Ended told = ended("old", "x", "speed");
+  ASSERT_EQ(told.code, 0) << told.err;
+  EXPECT_EQ(record("old").at("configuration_hash"), "fff3f9f97da015ea") << "as 0.3.0 had it";
+  ASSERT_EQ(ended("renamed", "x_0", "s_0").code, 0);
+  EXPECT_EQ(record("old").at("trajectory_hash"), record("renamed").at("trajectory_hash"));
+  const Ended checked = run("check old/scenario.resolved.toml");
+  EXPECT_EQ(checked.code, 0);
+  EXPECT_TRUE(
+      contains(checked.out + checked.err, "laws.growth_force names x, your constant, which is also an argument"))
+      << checked.out << checked.err;
+}
+
 TEST_F(LawsOfScenarios, ABiasOfZeroAllAroundIsNoneAndIsTold) {
   ASSERT_EQ(run("run cell.toml -o unbiased --quiet").code, 0);
   const std::string bias = " --set laws.initiation_bias=0";

@@ -11,7 +11,7 @@ budget = {
     "src/fields": 2858,
     "src/statistics": 729,
     "src/tracks": 4027,
-    "src/parameters": 6179,
+    "src/parameters": 6219,
     "src/model": 11138,
     "src/run": 10622,
     "src/validation": 2834,

@@ -69,7 +69,7 @@ LawConstant constant_of(std::string_view name, std::string_view typed) {
   if (!is_name(name))
     throw std::invalid_argument(
         fmt::format("\"{}\" is no name; allowed are letters, digits and _, at most 40 of them", excerpt(name)));
-  if (const std::string owner = owner_of_name(name); !owner.empty())
+  if (const std::string owner = owner_of_name(name); !owner.empty() && !came_later(name))
     throw std::invalid_argument(fmt::format("{} is taken: it is {}; choose another name", name, owner));
   try {
     const units::Quantity quantity = units::parse_quantity(typed);

@@ -28,11 +28,11 @@ std::vector<std::string_view> names_of(std::span<const LawVariable> arguments) {
 /// What a law may name, in words: "F, f_mat, t, F_c, your constants and symbols of parameters".
 std::string known_names(const Row& law, const Parameters& p) {
   std::string text;
-  for (const LawVariable& argument : law.arguments) text += fmt::format("{}, ", argument.name);
-  for (const LawVariable& shared : law.shared)
-    if (std::ranges::find(law.arguments, shared.name, &LawVariable::name) == law.arguments.end())
-      text += fmt::format("{}, ", shared.name);
-  for (const LawConstant& constant : p.laws.constants) text += fmt::format("{}, ", constant.name);
+  std::vector<std::string_view> names = names_of(law.arguments);
+  std::ranges::copy(names_of(law.shared), std::back_inserter(names));
+  for (const LawConstant& constant : p.laws.constants) names.emplace_back(constant.name);
+  for (auto name = names.begin(); name != names.end(); ++name)
+    if (std::find(names.begin(), name, *name) == name) text += fmt::format("{}, ", *name);
   return fmt::format("; names here are {}{}symbols of parameters; define others in [laws.constants]", text,
                      text.empty() ? "" : "and ");
 }
@@ -51,6 +51,15 @@ std::set<std::string, std::less<>> names_in(const Row& law, const Parameters& p)
   return names;
 }
 
+/// "time, your constant, which is also an argument of a law": the names in a law that came_later(), and are constants.
+std::vector<std::string> names_of_two(const Row& law, const Parameters& p) {
+  std::vector<std::string> found;
+  for (const std::string& name : names_in(law, p))
+    if (came_later(name) && find_constant(name, p) != nullptr)
+      found.push_back(fmt::format("{}, your constant, which is also {}", name, owner_of_name(name)));
+  return found;
+}
+
 /// The arguments that a law is drawn over: those that it depends on; else the first that the default depends on, or the
 /// first of all.
 std::vector<std::size_t> drawn_over(const std::vector<bool>& changed, const std::vector<bool>& usual) {
@@ -64,7 +73,7 @@ std::vector<std::size_t> drawn_over(const std::vector<bool>& changed, const std:
 
 } // namespace
 
-std::vector<LawVariable> law_variables(const Row& law, std::string_view text) {
+std::vector<LawVariable> law_variables(const Row& law, std::string_view text, const Parameters& p) {
   std::vector<LawVariable> found(law.arguments.begin(), law.arguments.end());
   const auto in_name = [](char c) { return c == '_' || std::isalnum(static_cast<unsigned char>(c)) != 0; };
   for (auto begin = std::ranges::find_if(text, in_name); begin != text.end();) {
@@ -76,13 +85,18 @@ std::vector<LawVariable> law_variables(const Row& law, std::string_view text) {
       found.push_back(*shared);
     begin = std::find_if(end, text.end(), in_name);
   }
+  if (puts_constants_first(law))
+    std::erase_if(found, [&](const LawVariable& one) { return find_constant(one.name, p) != nullptr; });
   return found;
 }
 
 fields::Expression law_formula(const Row& law, const Parameters& p, const std::string& text,
                                std::span<const LawVariable> variables) {
   const std::vector<std::string_view> arguments = names_of(variables);
-  const std::vector<fields::NamedNumber> names = law_names(p);
+  std::vector<fields::NamedNumber> names = law_names(law, p);
+  std::erase_if(names, [&](const fields::NamedNumber& one) {
+    return std::ranges::find(variables, one.name, &LawVariable::name) != variables.end();
+  });
   try {
     return {text, arguments, names};
   } catch (const fields::UnknownName& error) {
@@ -96,7 +110,7 @@ fields::Expression law_formula(const Row& law, const Parameters& p, const std::s
 }
 
 fields::Expression law_formula(const Row& law, const Parameters& p, const std::string& text) {
-  return law_formula(law, p, text, law_variables(law, text));
+  return law_formula(law, p, text, law_variables(law, text, p));
 }
 
 std::string law_arguments(std::span<const LawVariable> variables, std::span<const double> values,
@@ -119,14 +133,15 @@ std::string law_fault(const Row& law, double value, const std::string& where) {
 }
 
 Law::Law(std::string_view path, const Parameters& p)
-    : m_row(find_row(path)), m_judged(is_changed(*m_row, p)), m_variables(law_variables(*m_row, text_of(*m_row, p))),
+    : m_row(find_row(path)), m_judged(is_changed(*m_row, p)), m_variables(law_variables(*m_row, text_of(*m_row, p), p)),
       m_formula(law_formula(*m_row, p, text_of(*m_row, p), m_variables)) {
   constexpr std::array members{&LawPlace::x,        &LawPlace::y,      &LawPlace::time,      &LawPlace::density,
                                &LawPlace::pressure, &LawPlace::f_degr, &LawPlace::stiffness, &LawPlace::l,
                                &LawPlace::age,      &LawPlace::t_mat,  &LawPlace::f_mat};
-  for (std::size_t k = m_row->arguments.size(); k < m_variables.size(); ++k)
-    m_shared.push_back(
-        members.at(std::ranges::find(m_row->shared, m_variables[k].name, &LawVariable::name) - m_row->shared.begin()));
+  for (const LawVariable& variable : m_variables)
+    if (std::ranges::find(m_row->arguments, variable.name, &LawVariable::name) == m_row->arguments.end())
+      m_shared.push_back(
+          members.at(std::ranges::find(m_row->shared, variable.name, &LawVariable::name) - m_row->shared.begin()));
 }
 
 bool Law::uses(std::string_view argument) const {
@@ -151,7 +166,7 @@ double Law::operator()(std::initializer_list<double> own, const LawPlace& place)
 double Law::at(std::span<const double> own, const LawPlace& place) const {
   std::array<double, 20> values{}; // more than any law has
   std::ranges::copy(own, values.begin());
-  for (std::size_t k = 0; k < m_shared.size(); ++k) values[m_row->arguments.size() + k] = place.*m_shared[k];
+  for (std::size_t k = 0; k < m_shared.size(); ++k) values[own_count() + k] = place.*m_shared[k];
   const std::span<const double> all(values.data(), m_variables.size());
   const double value = m_formula.at(all);
   if (!m_judged || in_range(*m_row, value)) return value;
@@ -160,7 +175,7 @@ double Law::at(std::span<const double> own, const LawPlace& place) const {
 }
 
 double Law::fall(std::size_t argument, std::initializer_list<double> own, const LawPlace& place) const {
-  if (!m_formula.uses(argument)) return 0.0;
+  if (argument >= own_count() || !m_formula.uses(argument)) return 0.0;
   constexpr double step = 1e-6; // of the range that cells usually have
   std::vector<double> there(own);
   const double further = step * (m_variables[argument].drawn_high - m_variables[argument].drawn_low);
@@ -185,8 +200,9 @@ std::vector<bool> used_by(const fields::Expression& formula, std::span<const Law
 
 std::string fault_of_law(const Parameters& p, const Row& law) {
   try {
-    law_formula(law, p, text_of(law, p));
-    return {};
+    const std::vector<std::string> shared = names_of_two(law, p);
+    const bool clear = shared.empty() || puts_constants_first(law) || !is_changed(law, p);
+    return clear ? "" : fmt::format("names {}; give the constant another name", shared.front());
   } catch (const std::invalid_argument& error) {
     return error.what();
   }
@@ -217,7 +233,7 @@ std::string constants_of(const Row& law, const Parameters& p) {
 }
 
 std::vector<LawCurve> law_curves(const Parameters& p, const Row& law, std::size_t points) {
-  const std::vector<LawVariable> variables = law_variables(law, text_of(law, p));
+  const std::vector<LawVariable> variables = law_variables(law, text_of(law, p), p);
   const fields::Expression changed = law_formula(law, p, text_of(law, p), variables);
   const fields::Expression usual = law_formula(law, p, usual_text(law), variables);
   const std::vector<bool> by_changed = used_by(changed, variables), by_usual = used_by(usual, variables);
@@ -248,6 +264,8 @@ std::vector<std::string> law_notes(const Parameters& p) {
   std::set<std::string, std::less<>> named;
   for (const Row* law : changed_laws(p)) {
     named.merge(names_in(*law, p));
+    for (const std::string& both : names_of_two(*law, p))
+      notes.push_back(fmt::format("{} names {}; to use that, give the constant another name", law->path, both));
     for (const std::string& never : steady_comparisons(p, *law))
       notes.push_back(fmt::format("{}: {}", law->path, never));
   }

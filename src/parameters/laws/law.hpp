@@ -59,6 +59,7 @@ public:
 
 private:
   double at(std::span<const double> own, const LawPlace& place) const;
+  std::size_t own_count() const { return m_variables.size() - m_shared.size(); }
 
   const Row* m_row;
   bool m_judged;
@@ -88,8 +89,9 @@ struct Laws {
   Law degradation_body;
 };
 
-/// What the text of a law is a formula in: its own arguments, and those of the shared ones that it names.
-std::vector<LawVariable> law_variables(const Row& law, std::string_view text);
+/// What the text of a law is a formula in: its own arguments, and those of the shared ones that it names. Left out are
+/// those whose names are of constants, in a law that puts_constants_first(): of its own ones these are the last.
+std::vector<LawVariable> law_variables(const Row& law, std::string_view text, const Parameters& p);
 
 /// A text as a formula in the variables and names of a law.
 /// @throws std::invalid_argument saying what is wrong, where, and which name may be meant
@@ -135,8 +137,8 @@ struct LawCurve {
 /// @param points  >= 2
 std::vector<LawCurve> law_curves(const Parameters& p, const Row& law, std::size_t points);
 
-/// What is doubtful about the changed laws, a sentence each: constants that none names, and comparisons that come out
-/// alike wherever a law is judged, such as angle < 90 of an angle in rad.
+/// What is doubtful about the changed laws, a sentence each: constants with a name that came_later(), or that none
+/// names, and comparisons that come out alike wherever a law is judged, such as angle < 90 of an angle in rad.
 std::vector<std::string> law_notes(const Parameters& p);
 
 } // namespace matrigrate

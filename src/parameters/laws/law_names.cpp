@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cstdlib>
 #include <stdexcept>
 
@@ -22,6 +23,13 @@ std::string name_of(std::string_view symbol) {
 
 /// The pull of both strands of a protrusion at full maturation, 2 F_am: F/(f_mat*F_both) is f_adh_rel.
 constexpr const char* both_strands = "F_both";
+
+/// What version 0.3.0 did not have: names of arguments, symbols and functions, and laws.
+constexpr std::array later_names{"F_both",  "age",   "ceil",     "density", "f_curv", "f_degr", "floor",
+                                 "m_mat",   "mod",   "pressure", "s_mat",   "speed",  "steps",  "stiffness",
+                                 "stretch", "t_mat", "time",     "x",       "y"};
+constexpr std::array later_laws{"laws.contraction", "laws.maturation_force", "laws.maturation",
+                                "laws.adhesion_stiffness"};
 
 bool is_argument(std::string_view name) {
   const auto shared = shared_arguments();
@@ -65,7 +73,7 @@ void number_by_value(fields::Part& part) {
 }
 
 std::string formula_meaning(const Row& law, const Parameters& p) {
-  const std::vector<LawVariable> variables = law_variables(law, text_of(law, p));
+  const std::vector<LawVariable> variables = law_variables(law, text_of(law, p), p);
   fields::FormulaTree tree = fields::tree_of(text_of(law, p), [&](std::string_view name) {
     return std::ranges::find(variables, name, &LawVariable::name) != variables.end() || name == both_strands
            || row_of_symbol(name) != nullptr || find_constant(name, p) != nullptr;
@@ -84,12 +92,17 @@ std::string owner_of_name(std::string_view name) {
   return row == nullptr ? "" : std::string(row->path);
 }
 
-std::vector<fields::NamedNumber> law_names(const Parameters& p) {
-  std::vector<fields::NamedNumber> names;
-  for (const LawConstant& constant : p.laws.constants) names.push_back({constant.name, in_formulas(constant)});
-  names.push_back({both_strands, 2.0 * p.actomyosin.force});
+bool came_later(std::string_view name) { return std::ranges::find(later_names, name) != later_names.end(); }
+
+bool puts_constants_first(const Row& law) { return std::ranges::find(later_laws, law.path) == later_laws.end(); }
+
+std::vector<fields::NamedNumber> law_names(const Row& law, const Parameters& p) {
+  std::vector<fields::NamedNumber> names{{both_strands, 2.0 * p.actomyosin.force}};
   Parameters q = p;
   for (const Symbol& symbol : symbols()) names.push_back({symbol.name, number_of(*symbol.row, q)});
+  auto at = puts_constants_first(law) ? names.begin() : names.end();
+  for (const LawConstant& constant : p.laws.constants)
+    at = std::next(names.insert(at, {constant.name, in_formulas(constant)}));
   return names;
 }
 
@@ -100,9 +113,8 @@ DimensionOf law_dimensions(const Row& law, const Parameters& p) {
     return dimension;
   };
   return [&law, of_unit, p](std::string_view name) -> std::optional<units::Dimension> {
-    for (const std::span<const LawVariable> some : {law.arguments, law.shared})
-      for (const LawVariable& argument : some)
-        if (argument.name == name) return of_unit(argument.unit);
+    for (const LawVariable& argument : law_variables(law, name, p))
+      if (argument.name == name) return of_unit(argument.unit);
     if (const LawConstant* constant = find_constant(name, p))
       return constant->row->unit == "1" ? std::nullopt : std::optional(of_unit(constant->row->unit));
     if (name == both_strands) return units::Dimension{.force = 1000};

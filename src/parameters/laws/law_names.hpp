@@ -12,11 +12,19 @@
 /// times in s, forces in nN, stresses in Pa. Test: tests/unit/parameters/law_test.cpp
 namespace matrigrate {
 
-/// Whom a name belongs to that a user cannot give, "an argument of a law"; empty if to nobody.
+/// Whom a name belongs to, "an argument of a law"; empty if to nobody.
 std::string owner_of_name(std::string_view name);
 
-/// Parameters by their symbol, "r_off,min" as r_off_min; F_both, the pull of both strands; the user's constants.
-std::vector<fields::NamedNumber> law_names(const Parameters& p);
+/// Whether a constant may have the name though it belongs to somebody, to whom it did not in version 0.3.0.
+bool came_later(std::string_view name);
+
+/// Whether a law means the user's constant by a name of that kind: the laws of version 0.3.0 do. In the others the
+/// constant comes last, and fault_of_law() refuses the name.
+bool puts_constants_first(const Row& law);
+
+/// Parameters by their symbol, "r_off,min" as r_off_min; F_both, the pull of both strands; the user's constants. Where
+/// a name stands twice the first is meant.
+std::vector<fields::NamedNumber> law_names(const Row& law, const Parameters& p);
 
 /// The dimension of each name of a law, as fault_of_units() asks for it.
 DimensionOf law_dimensions(const Row& law, const Parameters& p);

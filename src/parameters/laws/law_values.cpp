@@ -86,14 +86,14 @@ std::vector<std::vector<double>> grid(std::span<const LawVariable> variables, co
 } // namespace
 
 std::vector<double> law_numbers(const Row& law, const Parameters& p) {
-  std::vector<double> all = numbers_in(law_formula(law, p, text_of(law, p)).tree(), law_names(p));
+  std::vector<double> all = numbers_in(law_formula(law, p, text_of(law, p)).tree(), law_names(law, p));
   const std::size_t count = all.size();
   for (std::size_t k = 0; k < count; ++k) all.push_back(-all[k]);
   return all;
 }
 
 std::vector<std::string> steady_comparisons(const Parameters& p, const Row& law) {
-  const std::vector<LawVariable> variables = law_variables(law, text_of(law, p));
+  const std::vector<LawVariable> variables = law_variables(law, text_of(law, p), p);
   const fields::Expression whole = law_formula(law, p, text_of(law, p), variables);
   std::vector<std::string> found;
   fields::for_each_part(whole.tree().whole, [&](const fields::Part& part) {
@@ -120,11 +120,11 @@ std::vector<std::string> steady_comparisons(const Parameters& p, const Row& law)
 }
 
 std::string fault_of_law_values(const Parameters& p, const Row& law) {
-  const std::vector<LawVariable> variables = law_variables(law, text_of(law, p));
+  const std::vector<LawVariable> variables = law_variables(law, text_of(law, p), p);
   const fields::Expression formula = law_formula(law, p, text_of(law, p), variables);
   if (!formula.tree().chained.empty()) return formula.tree().chained;
   const std::vector<bool> used = used_by(formula, variables);
-  const std::vector<std::vector<double>> axes = grid(variables, used, numbers_in(formula.tree(), law_names(p)));
+  const std::vector<std::vector<double>> axes = grid(variables, used, numbers_in(formula.tree(), law_names(law, p)));
   const auto excess = [&](double value) { return std::max(law.range.low - value, value - law.range.high); };
   std::vector<double> worst; // its arguments
   double most = 0.0;

@@ -8,6 +8,7 @@
 #include "parameters/laws/law_values.hpp"
 #include "parameters/write.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -45,9 +46,10 @@ TEST(Law, DefaultsAreNotChangedAndCanBeRead) {
     for (const std::string& known : {usual_text(law), std::string(*law.before)})
       EXPECT_EQ(law_meaning(law, with(key, known + " ")), known) << "finished runs have it in their fingerprints";
     EXPECT_NO_THROW(law_formula(law, {}, text_of(law, {}))) << law.path;
-    for (const LawVariable& argument :
-         law_variables(law, "x + y + time + density + pressure + f_degr + stiffness + l + "
-                            "age + t_mat + f_mat")) {
+    for (const LawVariable& argument : law_variables(law,
+                                                     "x + y + time + density + pressure + f_degr + stiffness + l + "
+                                                     "age + t_mat + f_mat",
+                                                     {})) {
       EXPECT_LT(argument.low, argument.high) << law.path;
       EXPECT_LE(argument.low, argument.drawn_low) << law.path << " " << argument.name;
       EXPECT_LT(argument.drawn_low, argument.drawn_high) << law.path << " " << argument.name;
@@ -61,7 +63,7 @@ TEST(Law, NamesAreTheSymbolsOfParametersInFormulasUnits) {
   Parameters p;
   p.laws.constants =
       constants_in("F_c = 50 pN, p_0 = 0.1 kPa, n = 2, tau = 1 min, b_p = 2 1/Pa, r_p = 1e-4 1/Pa/s, w = 3 nN/um");
-  const std::vector<fields::NamedNumber> names = law_names(p);
+  const std::vector<fields::NamedNumber> names = law_names(row("growth_force"), p);
   const auto value = [&](std::string_view name) {
     const auto found = std::ranges::find(names, name, &fields::NamedNumber::name);
     return found == names.end() ? std::nan("") : found->value;
@@ -84,7 +86,7 @@ TEST(Law, NamesAreTheSymbolsOfParametersInFormulasUnits) {
   std::set<std::string> once;
   for (const fields::NamedNumber& name : names) EXPECT_TRUE(once.insert(name.name).second) << name.name;
   p.laws.constants = constants_in("g = 5 Pa^0.5");
-  const std::vector<fields::NamedNumber> all = law_names(p);
+  const std::vector<fields::NamedNumber> all = law_names(row("growth_force"), p);
   EXPECT_NEAR(std::ranges::find(all, "g", &fields::NamedNumber::name)->value, 5.0, 1e-12);
 }
 
@@ -316,7 +318,53 @@ TEST(LawNames, HaveThePullOfBothStrands) {
   Parameters p;
   p.laws.disassembly_rate = "1e-3*F/(f_mat*F_both)";
   EXPECT_DOUBLE_EQ(Law("laws.disassembly_rate", p)({0.6, 0.5, 0.0}), 1e-3 * 0.6 / (0.5 * 2.0 * p.actomyosin.force));
-  EXPECT_NE(fault_of("laws.constants = \"F_both = 1 nN\"").find("F_both is taken"), std::string::npos);
+}
+
+// Names that version 0.3.0 left free. What it read means the same.
+TEST(LawNames, ThatWereFreeInTheEarlierVersionAreOfConstantsInItsLaws) {
+  const Parameters usual;
+  for (const std::string name :
+       {"F_both", "age", "ceil", "density", "f_curv", "f_degr", "floor", "m_mat", "mod", "pressure", "s_mat", "speed",
+        "steps", "stiffness", "stretch", "t_mat", "time", "x", "y"}) {
+    SCOPED_TRACE(name);
+    const std::string constants = name + " = 3";
+    const Parameters rate = with("disassembly_rate", "r_off_min*" + name, constants);
+    EXPECT_EQ(fault("disassembly_rate", "r_off_min*" + name, constants), "");
+    const Law law("laws.disassembly_rate", rate);
+    EXPECT_DOUBLE_EQ(law({0.3, 0.5, 7.0}, {.x = 9.0, .time = 9.0, .age = 9.0}), 3.0 * usual.adhesion.r_off_min);
+    EXPECT_FALSE(law.uses_place() || law.varies());
+    EXPECT_EQ(law_meaning(row("disassembly_rate"), rate), "r_off_min*" + name);
+    EXPECT_EQ(law_notes(rate).size(), 1U);
+    const Law growth("laws.growth_force", with("growth_force", "l/100 + t_mat*0 + " + name + "*0 + 2", constants));
+    EXPECT_DOUBLE_EQ(growth({1.0, 50.0, 2.0, 4.0}, {.t_mat = 8.0}), 2.5);
+    EXPECT_FALSE(growth.uses("speed"));
+    EXPECT_EQ(growth.fall(3, {1.0, 50.0, 2.0, 4.0}, {}), 0.0);
+    const Laws defaults(with("growth_force", "1", constants)), before(usual);
+    EXPECT_EQ(defaults.maturation_force({3.0, 0.3, 60.0}), before.maturation_force({3.0, 0.3, 60.0}));
+    EXPECT_EQ(defaults.maturation({3.0}), before.maturation({3.0}));
+    EXPECT_EQ(defaults.contraction({0.5, 0.6, 0.1, 0.0}), before.contraction({0.5, 0.6, 0.1, 0.0}));
+  }
+  EXPECT_EQ(law_notes(with("disassembly_rate", "r_off_min*time", "time = 3")).front(),
+            "laws.disassembly_rate names time, your constant, which is also an argument of a law; to use that, give "
+            "the constant another name");
+  EXPECT_EQ(fault("disassembly_rate", "time", "time = 0.01 1/s"), "") << "its unit is that of the constant";
+  EXPECT_NE(fault("disassembly_rate", "time", "time = 1 nN").find("is wanted"), std::string::npos);
+}
+
+TEST(LawNames, ThatMayMeanTwoThingsAreRefusedInLawsThatCameLater) {
+  const auto told = [](const char* name, const char* owner) {
+    return fmt::format("names {}, your constant, which is also {}; give the constant another name", name, owner);
+  };
+  EXPECT_EQ(fault("maturation", "min(1, 0.09*steps)", "steps = 2"), told("steps", "an argument of a law"));
+  EXPECT_EQ(fault("contraction", "F_am*min(1, time/10)", "time = 2 s"), told("time", "an argument of a law"));
+  EXPECT_EQ(fault("maturation_force", "s_mat*F_am", "s_mat = 2"), told("s_mat", "adhesion.step_threshold"));
+  EXPECT_EQ(fault("adhesion_stiffness", "k_ad*floor", "floor = 2"), told("floor", "known to every formula"));
+  EXPECT_EQ(fault("adhesion_stiffness", "k_ad*F_c", "F_c = 2"), "");
+  EXPECT_EQ(fault("maturation", "min(1,0.1*steps)", "steps = 2"), "") << "the default is what it was";
+  EXPECT_NE(fault_of("[laws]\nmaturation = \"min(1, 0.09*steps)\"\nconstants = \"steps = 2\"\n")
+                .find("f.toml:2:14: laws.maturation: names steps"),
+            std::string::npos);
+  EXPECT_NE(fault_of("laws.constants = \"f_mat = 1\"").find("f_mat is taken"), std::string::npos);
 }
 
 /// What laws.constants mean.
@@ -398,7 +446,7 @@ TEST(LawRanges, StandInThePageOfLaws) {
   const std::string page = read_file(std::string(MATRIGRATE_SOURCE_DIR) + "/docs/how-to/laws.md", std::size_t{1} << 20);
   for (const Row& law : law_rows())
     for (const LawVariable& argument :
-         law_variables(law, "x y time density pressure f_degr stiffness l age t_mat f_mat")) {
+         law_variables(law, "x y time density pressure f_degr stiffness l age t_mat f_mat", {})) {
       const std::string line =
           "`" + std::string(argument.name) + "` | " + range_text(argument) + " | " + std::string(argument.meaning);
       EXPECT_NE(page.find(line), std::string::npos) << law.path << ": " << line;
