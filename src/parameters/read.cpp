@@ -434,12 +434,12 @@ private:
       for (ChangeFault& fault : change_faults(m_bare_times))
         add(m_bare_places[fault.change], &ChangePlace::time, "at", std::move(fault.message));
     }
+    Judgement judgement = m_judgement; // what rests on rules that are broken before is not judged
     std::size_t first = 0;
     for (const Period& period : periods(m_parameters)) {
       const auto later = std::find_if(changes.begin() + static_cast<std::ptrdiff_t>(first), changes.end(),
                                       [&](const TimedChange& c) { return c.at > period.from; });
       const auto end = static_cast<std::size_t>(later - changes.begin());
-      Judgement judgement;
       for (const std::span<const Rule> which : {rules(), more})
         for (const Rule& rule : which) {
           std::size_t k = first;

@@ -145,6 +145,14 @@ TEST(Changes, KeepTheRulesOnSeveralParameters) {
   EXPECT_EQ(faults.size(), 4U) << "all at once";
 }
 
+TEST(Changes, DoNotJudgeTheValuesOfALawThatCannotBeRead) {
+  const std::string law = "laws.growth_force = \"1/q\"\n";
+  const std::string later = "[[changes]]\nat = \"1.5 h\"\nactomyosin.force = \"0.3 nN\"\n";
+  EXPECT_EQ(faults_of("run.duration = \"2 h\"\n" + law + later).size(), 1U) << "from the start";
+  EXPECT_EQ(faults_of("run.duration = \"2 h\"\n[[changes]]\nat = \"1 h\"\n" + law + later).size(), 1U)
+      << "from a change on";
+}
+
 TEST(Changes, AreJudgedOneByOneForPython) {
   EXPECT_EQ(judged("changes.at", {"3 h", "a string"}).number, 3.0);
   EXPECT_EQ(judged("changes.cell.dashpot", {0.003, "a number"}).fault, "");
