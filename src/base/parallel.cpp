@@ -5,6 +5,7 @@
 #include <tbb/info.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
+#include <tbb/task_group.h>
 #include <tbb/task_scheduler_observer.h>
 #include <tbb/version.h>
 
@@ -15,6 +16,10 @@
 #include <chrono>
 #include <cmath>
 #include <cstdlib>
+#include <deque>
+#include <exception>
+#include <mutex>
+#include <utility>
 
 // Of ThreadSanitizer; null where the program is built without it.
 extern "C" {
@@ -61,10 +66,14 @@ public:
 
   void on_scheduler_exit(bool is_worker) override {
     if (!is_worker) return;
+    using Clock = std::chrono::steady_clock;
     constexpr auto longest = std::chrono::microseconds(500);
+    constexpr auto until_offered = std::chrono::microseconds(3); // from the count to the ranges of a loop
     const unsigned before = loops_begun.load(std::memory_order_relaxed);
-    const auto end = std::chrono::steady_clock::now() + longest;
-    while (loops_begun.load(std::memory_order_relaxed) == before && std::chrono::steady_clock::now() < end) {
+    auto end = Clock::now() + longest;
+    while (loops_begun.load(std::memory_order_relaxed) == before)
+      if (Clock::now() >= end) return;
+    for (end = Clock::now() + until_offered; Clock::now() < end;) {
     }
   }
 };
@@ -127,5 +136,76 @@ void side_by_side(std::initializer_list<std::function<void()>> works) {
       },
       tbb::simple_partitioner());
 }
+
+struct Behind::Works {
+  explicit Works(std::size_t most_) : most(most_) {}
+
+  void take(std::function<void()> work) {
+    const std::scoped_lock lock(mutex);
+    waiting.push_back(std::move(work));
+    if (!std::exchange(busy, true)) group.run([this] { do_all(); });
+  }
+
+  void do_all() {
+    while (const std::function<void()> work = next()) try {
+        work();
+      } catch (...) {
+        const std::scoped_lock lock(mutex);
+        failure = std::current_exception();
+        waiting.clear();
+      }
+  }
+
+  std::function<void()> next() {
+    const std::scoped_lock lock(mutex);
+    busy = !waiting.empty();
+    if (!busy) return {};
+    std::function<void()> work = std::move(waiting.front());
+    waiting.pop_front();
+    return work;
+  }
+
+  bool is_full() {
+    const std::scoped_lock lock(mutex);
+    return waiting.size() >= most;
+  }
+
+  void rethrow() {
+    const std::scoped_lock lock(mutex);
+    if (const std::exception_ptr thrown = std::exchange(failure, nullptr)) std::rethrow_exception(thrown);
+  }
+
+  const std::size_t most;
+  std::mutex mutex;
+  std::deque<std::function<void()>> waiting;
+  bool busy = false;
+  std::exception_ptr failure;
+  tbb::task_group group;
+};
+
+Behind::Behind(std::size_t most) : m_works(std::make_unique<Works>(most)) {}
+
+Behind::Behind(Behind&&) noexcept = default;
+
+Behind::~Behind() {
+  if (m_works) settle();
+}
+
+void Behind::add(std::function<void()> work) {
+  if (alone() || m_works->is_full()) wait();
+  check();
+  if (alone()) return work();
+  loops_begun.fetch_add(1, std::memory_order_relaxed);
+  m_works->take(std::move(work));
+}
+
+void Behind::check() { m_works->rethrow(); }
+
+void Behind::wait() {
+  settle();
+  check();
+}
+
+void Behind::settle() const noexcept { m_works->group.wait(); }
 
 } // namespace matrigrate

@@ -41,6 +41,34 @@ void parallel_parts(std::size_t n, const Body& body) {
 /// Test: tests/unit/base/base_test.cpp
 void side_by_side(std::initializer_list<std::function<void()>> works);
 
+/// Works that are done one after the other beside what their owner goes on with; at once where the program runs
+/// single-threaded. Test: tests/unit/base/base_test.cpp
+class Behind {
+public:
+  /// @param most  works that wait for their turn
+  explicit Behind(std::size_t most = 4);
+  Behind(Behind&&) noexcept;
+  Behind& operator=(Behind&&) = delete;
+  ~Behind(); ///< once all are done
+
+  /// @param work  what it reads stays as it is until it is done
+  /// @throws what an earlier work has thrown: once, and those that waited behind it are not done
+  void add(std::function<void()> work);
+
+  /// @throws as add
+  void check();
+
+  /// Until all are done.   @throws as add
+  void wait();
+
+  /// wait() that leaves what has been thrown to the next call.
+  void settle() const noexcept;
+
+private:
+  struct Works;
+  std::unique_ptr<Works> m_works;
+};
+
 /// Calls body(i) for every i in [0, n), in any order.
 /// @param grain  approximate minimum number of indices per task
 template <class Body>

@@ -10,6 +10,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <memory>
 #include <utility>
 
 namespace matrigrate::run {
@@ -43,6 +44,8 @@ RunFolder::RunFolder(const std::filesystem::path& folder, const Parameters& p, c
   m_safe_until = s.t;
 }
 
+RunFolder::~RunFolder() { m_run.behind.settle(); }
+
 void RunFolder::write_due(const State& s, const Workspace& w) {
   for (auto& [output, cadence] : m_outputs)
     if (cadence.due(s.t)) output.write(s, w);
@@ -57,34 +60,38 @@ void RunFolder::begin(const State& s, const Workspace& w) {
 void RunFolder::note_step(const Workspace& w) { m_run.memory.watch.see(w.health); }
 
 void RunFolder::see(const State& s, const Workspace& w, const RunRecord& record) {
+  m_run.behind.check();
   note_step(w);
   write_due(s, w);
   const bool keep = m_kept_cadence.due(s.t);
   const bool due = m_checkpoint_cadence.due(s.t) || keep;
   if (due && m_keeps_checkpoints) write_checkpoint(s, w, record.march_wall_time, keep);
-  if (due) write_record(record);
+  if (due) m_run.behind.add([this, text = text_of(record)] { write_file(m_run.folder / "run.json", text); });
 }
 
 void RunFolder::write_checkpoint(const State& s, const Workspace& w, double march_wall_time, bool keep) {
   HealthWatch watch = m_run.memory.watch; // a copy: the next row still tells of the steps so far
   const HealthRow health = health_row(m_run, s, w, watch);
   require_health(m_run, s, health);
-  for (const Regular& regular : m_outputs)
-    if (regular.output.flush) regular.output.flush();
   m_run.memory.step = s.step;
   m_run.memory.force_imbalance = health.force_imbalance;
   m_run.memory.counts = w.health;
   m_run.memory.march_wall_time = march_wall_time;
   const std::filesystem::path checkpoints = m_run.folder / "checkpoints";
   if (keep) make_folder(checkpoints);
-  store::write_checkpoint(m_run.folder,
-                          {.state = s,
-                           .scenario = to_toml(m_run.p),
-                           .configuration_hash = configuration_hash(m_run.p),
-                           .program = version_line(),
-                           .memory = store::to_text(m_run.memory)},
-                          keep ? std::optional(checkpoints / (time_name(s.t) + ".h5")) : std::nullopt);
-  m_safe_until = s.t;
+  const auto now =
+      std::make_shared<const store::Checkpoint>(store::Checkpoint{.state = s,
+                                                                  .scenario = to_toml(m_run.p),
+                                                                  .configuration_hash = configuration_hash(m_run.p),
+                                                                  .program = version_line(),
+                                                                  .memory = store::to_text(m_run.memory)});
+  const auto kept = keep ? std::optional(checkpoints / (time_name(s.t) + ".h5")) : std::nullopt;
+  m_run.behind.add([this, now, kept] {
+    for (const Regular& regular : m_outputs)
+      if (regular.output.flush) regular.output.flush();
+    store::write_checkpoint(m_run.folder, *now, kept);
+    m_safe_until = now->state.t;
+  });
 }
 
 void RunFolder::see_last(const State& s, const Workspace& w) {
@@ -98,6 +105,7 @@ void RunFolder::see_last(const State& s, const Workspace& w) {
 }
 
 std::vector<CellResult> RunFolder::finish(RunFinish end) {
+  wait();
   end.cells = cell_results(end.s, m_run.memory.rows, m_run.memory.group, m_run.p);
   for (const auto& [output, cadence] : m_outputs)
     if (output.finish) output.finish(end);
@@ -109,9 +117,19 @@ void RunFolder::tidy() {
     if (output.remove_what_resuming_needs) output.remove_what_resuming_needs();
 }
 
-void RunFolder::write_record(const RunRecord& record) const {
+std::string RunFolder::text_of(const RunRecord& record) const {
   const auto handler = nlohmann::ordered_json::error_handler_t::replace;
-  write_file(m_run.folder / "run.json", to_json(record, m_run.p).dump(2, ' ', false, handler) + "\n");
+  return to_json(record, m_run.p).dump(2, ' ', false, handler) + "\n";
+}
+
+void RunFolder::write_record(const RunRecord& record) const {
+  m_run.behind.settle();
+  write_file(m_run.folder / "run.json", text_of(record));
+}
+
+std::optional<double> RunFolder::safe_until() const {
+  m_run.behind.settle();
+  return m_safe_until;
 }
 
 std::string RunFolder::trajectory_hash() const { return store::TrajectoryHash(m_run.memory.trajectory).text(); }

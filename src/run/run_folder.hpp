@@ -28,24 +28,29 @@ public:
             const Simulation& simulation, store::RunMemory memory, const std::filesystem::path& from);
   RunFolder(const RunFolder&) = delete; // the outputs refer to m_run
   RunFolder& operator=(const RunFolder&) = delete;
+  ~RunFolder();
 
   /// Writes what is due at the start of a new run.
   void begin(const State& s, const Workspace& w);
 
-  /// Writes what is due after a step.
+  /// Writes what is due after a step, frames and checkpoints behind the next ones.
+  /// @throws InputOutputError if it cannot be written, or what was due before
   /// @throws NumericalFailure if the run must not go on (observe/health.hpp, alarm)
   void see(const State& s, const Workspace& w, const RunRecord& record);
 
   /// Counts a step after which nothing is due but what see_last() writes.
   void note_step(const Workspace& w);
 
-  /// Writes checkpoint.h5, if the run may go on.
+  /// Writes checkpoint.h5, if the run may go on, behind the next steps.
   /// @param keep  writes a second file, named by its time, for branches
   /// @throws NumericalFailure if the run must not go on; checkpoint.h5 then stays the last good one
   void write_checkpoint(const State& s, const Workspace& w, double march_wall_time, bool keep = false);
 
   /// Whether checkpoints are written at their intervals; they are, unless told otherwise.
   void keep_checkpoints(bool keep) { m_keeps_checkpoints = keep; }
+
+  /// Until all that is due is written.   @throws InputOutputError if it cannot be
+  void wait() { m_run.behind.wait(); }
 
   /// Writes what the outputs hold of the last state, as far as it has not been due.
   void see_last(const State& s, const Workspace& w);
@@ -63,8 +68,10 @@ public:
   /// Frames of earlier parts of the run that could not be taken over.
   store::LostFrames lost_frames() const;
 
-  std::string trajectory_hash() const;                              ///< so far
-  std::optional<double> safe_until() const { return m_safe_until; } ///< time of the last checkpoint [s]
+  std::string trajectory_hash() const; ///< so far
+
+  /// Time of the last checkpoint, once it is written [s].
+  std::optional<double> safe_until() const;
 
 private:
   struct Regular {
@@ -73,6 +80,7 @@ private:
   };
 
   void write_due(const State& s, const Workspace& w);
+  std::string text_of(const RunRecord& record) const; ///< run.json
 
   RunSoFar m_run;
   FolderLock m_lock;

@@ -160,6 +160,7 @@ private:
 
   void note_end() {
     if (has_branched()) m_folder->write_checkpoint(m_simulation->s, m_simulation->w, m_record.march_wall_time);
+    m_folder->wait();
     m_record.ended = m_has_ended                        ? RunEnd::completed
                      : m_stop == StopRequest::user      ? RunEnd::stopped_by_user
                      : m_stop == StopRequest::terminate ? RunEnd::told_to_terminate

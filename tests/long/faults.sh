@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Makes the calls of a short run fail, one run for each of them: errors of files (EIO, ENOSPC, EDQUOT, short writes), until
-# a run is done before its fault; then memory, at each place of the program that takes it: a chain of callers of malloc,
+# a run is done before its fault, with one and two threads in turn; then memory, at each place of the program that takes it: a chain of callers of malloc,
 # the first time that it comes; once or from then on. Each must end with an exit code of the table, and the run that
 # goes on after it must have the files of an undisturbed one, and none besides.
 #   tests/long/faults.sh PROGRAM [STEP] [io|malloc] [once|lasting]      (every 5th call or place; all)
@@ -55,7 +55,7 @@ again() {
 
 # inject LIBRARY KIND once|lasting FIRST: faults until a run is done before its own.
 inject() {
-  local at next=$(($4 - 1)) last=0 code lasting=() before=$faults
+  local at next=$(($4 - 1)) last=0 code threads=1 lasting=() before=$faults
   [ -z "$only" ] || [ "$1" = "${only}_fault" ] || return 0
   [ -z "$how_long" ] || [ "$3" = "$how_long" ] || return 0
   [ "$3" = once ] || lasting=(FAULT_LASTS=1)
@@ -65,8 +65,9 @@ inject() {
     [ -n "$at" ] || break
     rm -rf run told
     code=0
+    [ "$1" = malloc_fault ] || threads=$((1 + faults % 2))
     timeout 60 env "${lasting[@]}" FAULT_AT=$at FAULT_KIND="$2" FAULT_TOLD=told LD_PRELOAD="$PWD/$1.so" \
-      "$program" run s.toml -o run --quiet --threads 1 >said 2>&1 </dev/null || code=$?
+      "$program" run s.toml -o run --quiet --threads $threads >said 2>&1 </dev/null || code=$?
     if [ ! -s told ]; then
       [ "$1" = malloc_fault ] || break
       echo "$1, $2, $3, call $at: did not come" && wrong=$((wrong + 1))

@@ -73,9 +73,10 @@ def simulated(options: argparse.Namespace) -> list[matrigrate.Study]:
 
 
 def group(study: matrigrate.Study, runs: pandas.DataFrame) -> tuple[tracks.Tracks, dict[str, tuple[float, float]]]:
-    """Tracks, and numbers of protrusions with their standard errors over cells."""
+    """Tracks, and numbers of protrusions with their standard errors over cells, measured to a thousandth: f_mat can be the same in all cells."""
     cells = tracks.Tracks({name: next(iter(tracks.of(study.runs[name], interval).values())) for name in runs["run"]}, interval, [])
-    return cells, {name: (float(runs[name].mean()), float(runs[name].sem())) for name in of_protrusions}
+    means, errors = runs[of_protrusions].mean(), runs[of_protrusions].sem()
+    return cells, {name: (float(means[name]), float(max(errors[name], 1e-3 * means[name]))) for name in of_protrusions}
 
 
 def compared(emulators: calibrate.Emulators, first: tuple, second: tuple, name: str, times: float) -> dict[str, object]:

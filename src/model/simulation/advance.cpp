@@ -1,6 +1,7 @@
 #include "simulation/advance.hpp"
 
 #include "base/failure.hpp"
+#include "base/parallel.hpp"
 #include "ecm/degradation.hpp"
 #include "simulation/events.hpp"
 #include "simulation/velocities.hpp"
@@ -28,7 +29,10 @@ double time_after(double t, double dt) {
 std::optional<StepTooLong> advance(State& s, const Parameters& p, double dt, Workspace& w, const Loads& loads,
                                    const StepBounds& bounds) {
   // momentum balances at x(t), Eqs. 1 and 2: A v = F
-  assemble(s, p, dt, w, loads);
+  side_by_side({[&] { assemble(s, p, dt, w, loads); },
+                [&] {
+                  if (!bounds.tried_once) extrapolate_velocities(s, w);
+                }});
   if (auto refused = solve_velocities(s, p, dt, w, bounds)) return refused;
 
   // positions, density, stress

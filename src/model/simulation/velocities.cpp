@@ -15,23 +15,12 @@
 #include <cstdint>
 #include <span>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace matrigrate {
 
 namespace {
-
-/// Velocities of matrix and cells if they go on changing as in the last step: the first guess of the solver.
-void extrapolate(const State& s, std::vector<Vec2>& v) {
-  node_velocities(s, v);
-  const std::vector<Vec2>& v_before = s.solver_memory.v_before;
-  if (v_before.size() != v.size()) return;
-  const auto go_on = [now = v.data(), before = v_before.data()](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) now[i] = 2.0 * now[i] - before[i];
-  };
-  each_unflagged_stretch(s.ecm.clamped, go_on);
-  go_on(s.ecm.size(), v.size());
-}
 
 void require_solved(const State& s, const Parameters& p, const SolveReport& solve) {
   if (solve.converged) return;
@@ -100,17 +89,27 @@ std::optional<StepTooLong> crossing(const State& s, double dt, std::span<const V
 
 /// Makes v the velocities of matrix and cells.
 void accept(State& s, Workspace& w) {
-  SolverMemory& memory = s.solver_memory;
-  memory.x_drag = w.drag_cache.x_drag();
-  node_velocities(s, memory.v_before);
+  std::swap(s.solver_memory.v_before, w.v_now);
+  s.solver_memory.x_drag = w.drag_cache.x_drag();
   set_node_velocities(s, w.v);
 }
 
 } // namespace
 
+void extrapolate_velocities(const State& s, Workspace& w) {
+  node_velocities(s, w.v_now);
+  w.v = w.v_now;
+  const std::vector<Vec2>& v_before = s.solver_memory.v_before;
+  if (v_before.size() != w.v.size()) return;
+  const auto go_on = [v = w.v.data(), before = v_before.data()](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) v[i] = 2.0 * v[i] - before[i];
+  };
+  each_unflagged_stretch(s.ecm.clamped, go_on);
+  go_on(s.ecm.size(), w.v.size());
+}
+
 std::optional<StepTooLong> solve_velocities(State& s, const Parameters& p, double dt, Workspace& w,
                                             const StepBounds& bounds) {
-  if (!bounds.tried_once) extrapolate(s, w.v);
   w.health.solve = w.solver->solve(w.drag, w.v);
   require_solved(s, p, w.health.solve);
   if (auto refused = too_far(s, dt, w.limits, w.v, bounds.max_move)) return refused;

@@ -22,7 +22,11 @@ struct StepTooLong {
   std::string reason;
 };
 
-/// Solves A v = F, Eqs. (1) and (2), for the velocities of matrix and cells.
+/// Velocities of matrix and cells if they go on changing as in the last step, in Workspace::v: the first guess of the
+/// solver.
+void extrapolate_velocities(const State& s, Workspace& w);
+
+/// Solves A v = F, Eqs. (1) and (2), for the velocities of matrix and cells, from the first guess in Workspace::v.
 /// @return the bound that a step of dt with these velocities would break, if any; the state is then unchanged, bit for
 /// bit
 /// @throws NumericalFailure if the system was not solved; the state is then unchanged

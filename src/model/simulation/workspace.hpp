@@ -63,6 +63,7 @@ struct Workspace {
   std::vector<Vec2> force;         ///< all forces except drag, on all nodes including clamped ones [nN]
   Vec2 outer_force = Vec2::Zero(); ///< the part of the external forces: growth, maturation, loads [nN]
   std::vector<Vec2> v;             ///< velocities of all nodes [um/s]
+  std::vector<Vec2> v_now;         ///< those of the state at the begin of the step [um/s]
   StepLimits limits;               ///< of the explicit step
   double theta = 0.0;              ///< relaxation_theta() of this step [-]
   std::unique_ptr<DragSolver> solver;

@@ -27,7 +27,7 @@ Output fields(RunSoFar& run, const State& start) {
     if (!run.frame_times.empty() && run.frame_times.back() == s.t) return;
     observe::Frame frame = observe::frame(s, run.now, w);
     store::follow(frame, shape); // a branch that has not begun yet has the fibres of its run
-    log->add(frame);
+    run.behind.add([log, frame = std::move(frame)] { log->add(frame); });
     run.frame_times.push_back(s.t);
     if (run.memory.frames.empty() || run.memory.frames.back() < s.t) run.memory.frames.push_back(s.t);
   };

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/parallel.hpp"
 #include "observe/readouts.hpp"
 #include "parameters/parameters.hpp"
 #include "run/run_record.hpp"
@@ -26,6 +27,7 @@ struct RunSoFar {
   store::RunMemory memory;
   std::filesystem::path frames_from; ///< the folder whose frames the run takes over
   std::vector<double> frame_times{}; ///< of the frames in the log, those that were lost left out [s]
+  Behind behind{};                   ///< what is written while the next steps are computed
 
   /// The end of a table's file, to which rows are added.
   std::shared_ptr<store::RowFile> table(const std::string& name, const std::vector<std::string_view>& columns) {
@@ -51,7 +53,7 @@ struct Output {
   /// Writes what is due now. Called once more at the end of the run, where nothing must be written twice.
   /// @throws NumericalFailure if the run must not go on (observe/health.hpp, alarm)
   std::function<void(const State&, const Workspace&)> write{};
-  std::function<void()> flush{};                      ///< called before a checkpoint that counts on what was written
+  std::function<void()> flush{};                      ///< before a checkpoint that counts on what was written, behind
   std::function<void(const RunFinish&)> finish{};     ///< writes what is made at the end
   std::function<void()> remove_what_resuming_needs{}; ///< after run.json says that the run is done
 };

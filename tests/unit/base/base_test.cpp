@@ -299,6 +299,61 @@ TEST(Parallel, AFailureBesideOtherWorkReachesTheCaller) {
   EXPECT_THROW(side_by_side({[] { throw std::runtime_error("no"); }, [] {}}), std::runtime_error);
 }
 
+TEST(Behind, DoesAllInTheirOrder) {
+  for (const int threads : {1, 2, 3}) {
+    const ThreadLimit limit(threads);
+    std::vector<int> done;
+    Behind behind(2);
+    for (int k = 0; k < 9; ++k)
+      behind.add([&done, k] {
+        std::this_thread::sleep_for(std::chrono::microseconds(10 * (k % 3)));
+        done.push_back(k);
+      });
+    behind.wait();
+    EXPECT_EQ(done, (std::vector{0, 1, 2, 3, 4, 5, 6, 7, 8})) << threads;
+  }
+}
+
+TEST(Behind, IsDoneBesideLoops) {
+  const ThreadLimit limit(2);
+  std::vector<int> sums(100);
+  Behind behind;
+  for (int& sum : sums) {
+    behind.add([&sum] { sum = 1; });
+    std::vector<int> n(3'000);
+    parallel_for(n.size(), [&](std::size_t i) { ++n[i]; });
+    EXPECT_EQ(std::ranges::count(n, 1), std::ssize(n));
+  }
+  behind.wait();
+  EXPECT_EQ(std::ranges::count(sums, 1), std::ssize(sums));
+}
+
+TEST(Behind, TellsAFailureOnceAndDropsWhatWaitedBehindIt) {
+  for (const int threads : {1, 2}) {
+    const ThreadLimit limit(threads);
+    Behind behind;
+    std::atomic<bool> may_fail = threads == 1;
+    std::atomic<int> after = 0;
+    const auto fail = [&] {
+      while (!may_fail) std::this_thread::yield();
+      throw std::runtime_error("full");
+    };
+    if (threads == 1) {
+      EXPECT_THROW(behind.add(fail), std::runtime_error);
+    } else {
+      behind.add(fail);
+      behind.add([&] { ++after; });
+      may_fail = true;
+      behind.settle();
+      EXPECT_THROW(behind.add([&] { ++after; }), std::runtime_error);
+    }
+    EXPECT_EQ(after, 0);
+    behind.add([&] { ++after; });
+    behind.wait();
+    EXPECT_EQ(after, 1) << threads;
+  }
+}
+
 TEST(Parallel, AFailureInALoopReachesTheCaller) {
   const auto body = [](std::size_t i) {
     if (i == 3'000) throw std::runtime_error("3000");
