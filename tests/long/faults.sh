@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # Makes the calls of a short run fail, one run for each of them: errors of files (EIO, ENOSPC, EDQUOT, short writes), until
-# a run is done before its fault, with one and two threads in turn; then memory, at each place of the program that takes it: a chain of callers of malloc,
-# the first time that it comes; once or from then on. Each must end with an exit code of the table, and the run that
-# goes on after it must have the files of an undisturbed one, and none besides.
+# a run is done before its fault, with one and two threads in turn; then memory, at each place of the program that takes
+# it: a chain of callers of malloc, the first time that it comes; once or from then on. Each must end with an exit code of
+# the table, and the run that goes on after it must have the files of an undisturbed one, and none besides.
 #   tests/long/faults.sh PROGRAM [STEP] [io|malloc] [once|lasting]      (every 5th call or place; all)
 # FAULT_DEPTH=8 in the environment: the nearest eight callers make a place, and not all. Needs a C compiler.
 set -euo pipefail
