@@ -126,11 +126,14 @@ private:
   void put_in_order() {
     const auto key = [this](const Spot& s) { return std::tuple(s.track, time_of(s), s.t, s.x, s.y); };
     std::ranges::stable_sort(m_spots.spots, {}, key);
-    const auto doubles = std::ranges::unique(m_spots.spots, {}, key);
-    if (doubles.empty()) return;
-    m_findings.note(doubles.size() == 1 ? "1 row stands there twice, and counts once"
-                                        : fmt::format("{} rows stand there twice, and count once", doubles.size()));
-    m_spots.spots.erase(doubles.begin(), doubles.end());
+    std::vector<Spot>& spots = m_spots.spots;
+    const auto doubles =
+        std::unique(spots.begin(), spots.end(), [&](const Spot& a, const Spot& b) { return key(a) == key(b); });
+    if (doubles == spots.end()) return;
+    const auto many = spots.end() - doubles;
+    m_findings.note(many == 1 ? "1 row stands there twice, and counts once"
+                              : fmt::format("{} rows stand there twice, and count once", many));
+    spots.erase(doubles, spots.end());
   }
 
   /// Spots to which a step leads.

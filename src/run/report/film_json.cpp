@@ -1,5 +1,6 @@
 #include "report/film_json.hpp"
 
+#include "base/parallel.hpp"
 #include "ecm/loop/fibres.hpp"
 #include "report/packed.hpp"
 #include "sph/kernel.hpp"
@@ -13,6 +14,7 @@
 #include <functional>
 #include <limits>
 #include <queue>
+#include <utility>
 #include <vector>
 
 namespace matrigrate::report {
@@ -57,12 +59,22 @@ Json particles_json(const observe::Film& film) {
     for (std::size_t i = 0; i < x.size(); ++i) x[i] += film.head.reference[i];
     return x;
   };
-  Json json{
-      {"x", packed(positions(film.head), film.frames.size(), positions_of)},
-      {"f", packed({.scale = 1.0 / byte_range}, film.frames.size(),
-                   [&](std::size_t k) -> const observe::Floats& { return film.frames[k].matrix.f_degr; })},
-      {"pressure", layer(film, [](const observe::Frame& f) -> const observe::Floats& { return f.matrix.pressure; })},
-      {"von_mises", layer(film, [](const observe::Frame& f) -> const observe::Floats& { return f.matrix.von_mises; })}};
+  const auto f_of = [&](std::size_t k) -> const observe::Floats& { return film.frames[k].matrix.f_degr; };
+  Json of_x, of_f, of_pressure, of_stress; // beside each other, since to compress takes long
+  side_by_side({[&] { of_x = packed(positions(film.head), film.frames.size(), positions_of); },
+                [&] { of_f = packed({.scale = 1.0 / byte_range}, film.frames.size(), f_of); },
+                [&] {
+                  of_pressure =
+                      layer(film, [](const observe::Frame& f) -> const observe::Floats& { return f.matrix.pressure; });
+                },
+                [&] {
+                  of_stress =
+                      layer(film, [](const observe::Frame& f) -> const observe::Floats& { return f.matrix.von_mises; });
+                }});
+  Json json{{"x", std::move(of_x)},
+            {"f", std::move(of_f)},
+            {"pressure", std::move(of_pressure)},
+            {"von_mises", std::move(of_stress)}};
   if (!film.frames.front().matrix.fibre_von_mises.empty())
     json["fibre_von_mises"] =
         layer(film, [](const observe::Frame& f) -> const observe::Floats& { return f.matrix.fibre_von_mises; });

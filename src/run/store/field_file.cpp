@@ -2,6 +2,7 @@
 
 #include "base/failure.hpp"
 #include "base/file.hpp"
+#include "base/parallel.hpp"
 #include "store/frame_log.hpp"
 #include "store/hdf5.hpp"
 #include "tables/naming.hpp"
@@ -141,8 +142,13 @@ private:
 
   template <class Number>
   void write(std::vector<Column<Number>>& columns, const observe::Frame& frame) {
-    for (Column<Number>& column : columns) {
-      column.array.write(m_next, column.of(frame));
+    std::vector<std::string> compressed(columns.size());
+    parallel_parts(columns.size(), [&](std::size_t k) {
+      compressed[k] = columns[k].array.compressed(columns[k].of(frame)); // what takes the time
+    });
+    for (std::size_t k = 0; k < columns.size(); ++k) {
+      Column<Number>& column = columns[k];
+      column.array.write(m_next, compressed[k]);
       m_file.name_frame(frame_path(m_next, column.name), column.name, m_next, column.unit);
     }
   }

@@ -338,10 +338,10 @@ void FrameArray::require_size(std::size_t size) const {
   if (size != of_frame) throw std::invalid_argument("a frame is larger or smaller than the others");
 }
 
-void FrameArray::write_chunk(std::size_t frame, const std::string& bytes) {
+void FrameArray::write(std::size_t frame, const std::string& compressed) {
   std::vector<hsize_t> offset(m_shape.size(), 0);
   offset[0] = frame;
-  require(H5Dwrite_chunk(m_data.id(), H5P_DEFAULT, 0, offset.data(), bytes.size(), bytes.data()),
+  require(H5Dwrite_chunk(m_data.id(), H5P_DEFAULT, 0, offset.data(), compressed.size(), compressed.data()),
           "a frame was not written");
 }
 

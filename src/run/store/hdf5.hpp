@@ -117,12 +117,15 @@ public:
              std::size_t entries, std::size_t components, std::string_view unit)
       : FrameArray(file, name, type_of(like), shape_of(frames, entries, components), unit) {}
 
-  /// @throws std::invalid_argument if a frame has another size than the others
+  /// A frame as it is written: compressed as by HDF5's own filters.
+  /// @throws std::invalid_argument if it has another size than the others
   template <class Number>
-  void write(std::size_t frame, const std::vector<Number>& values) {
+  std::string compressed(const std::vector<Number>& values) const {
     require_size(values.size());
-    write_chunk(frame, deflated_fast(byte_planes(std::span<const Number>(values)))); // as HDF5's own filters would
+    return deflated_fast(byte_planes(std::span<const Number>(values)));
   }
+
+  void write(std::size_t frame, const std::string& compressed);
 
 private:
   static hid_t type_of(const std::vector<float>&) { return H5T_NATIVE_FLOAT; }
@@ -130,7 +133,6 @@ private:
   static std::vector<hsize_t> shape_of(std::size_t frames, std::size_t entries, std::size_t components);
   FrameArray(MemoryFile& file, const std::string& name, hid_t type, std::vector<hsize_t> shape, std::string_view unit);
   void require_size(std::size_t size) const;
-  void write_chunk(std::size_t frame, const std::string& bytes);
 
   std::vector<hsize_t> m_shape;
   Handle m_data;
