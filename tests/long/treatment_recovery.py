@@ -102,7 +102,7 @@ def recovered(design: matrigrate.Study, control: matrigrate.Study, treated: matr
     for k, (_, name, times) in enumerate(cases(options.cases, options.seed), 1):
         runs = [one.results[(one.results["label"] == f"case {k}") & (one.results["status"] == "done")] for one in (control, treated)]
         first, again = (group(control, part) for part in (runs[0].iloc[:options.cells], runs[0].iloc[options.cells:]))
-        for kind, other in (("treated", group(treated, runs[1])), ("null", again)):
+        for kind, other in (("treated", group(treated, runs[1])), ("alike", again)):
             true = (name, times) if kind == "treated" else ("", 1.0)
             rows.append({"case": k, "kind": kind, **compared(emulators, first, other, *true)})
             print(rows[-1], flush=True)
@@ -124,8 +124,8 @@ def main() -> None:
     table = recovered(*simulated(options), options)
     table.to_csv(options.results, index=False, float_format="%.4g")
     found = table.groupby("kind")["found"].sum()
-    print(f"treatments: the parameter is named in {found['treated']} of {options.cases}; nothing: {found['null']} of {options.cases}")
-    sys.exit(0 if found["treated"] >= 0.8 * options.cases and found["null"] >= 0.9 * options.cases else 1)
+    print(f"treatments: the parameter is named in {found['treated']} of {options.cases}; nothing: {found['alike']} of {options.cases}")
+    sys.exit(0 if found["treated"] >= 0.8 * options.cases and found["alike"] >= 0.9 * options.cases else 1)
 
 
 if __name__ == "__main__":

@@ -38,9 +38,10 @@ nlohmann::ordered_json drawn_studies(const Evidence& evidence, const EvidenceOpt
       std::erase_if(runs, [&](const Result& r) { return !exists(run_folder(folder, r.run)); });
       write_file(folder / "shapes.csv", shapes_csv(ensemble.study, runs, folder));
     }
-    const auto table_of = [&](const char* kind) {
-      return table(options.from.empty() ? folder / fmt::format("{}.csv", kind)
-                                        : std::filesystem::path(options.from) / fmt::format("{}-{}.csv", name, kind));
+    const auto table_of = [&, &study_name = name](const char* kind) {
+      return table(options.from.empty()
+                       ? folder / fmt::format("{}.csv", kind)
+                       : std::filesystem::path(options.from) / fmt::format("{}-{}.csv", study_name, kind));
     };
     list.push_back({{"name", name},
                     {"study", drawn_study(ensemble.study, ensemble.results,
