@@ -2,7 +2,6 @@ compare_treatment <- function(design, control, treated, readouts, folder, prior 
                               frame_interval = NULL, error = NULL, besides = NULL, known = NULL, parameters = NULL,
                               pairs = TRUE, scores = TRUE, force = FALSE) {
   if (is.data.frame(treated)) treated <- list(treated)
-  labels <- if (is.null(names(treated))) rep("treated", length(treated)) else names(treated)
   scratch <- tempfile("groups")
   dir.create(scratch)
   on.exit(unlink(scratch, recursive = TRUE))
@@ -18,8 +17,9 @@ compare_treatment <- function(design, control, treated, readouts, folder, prior 
     .option("--pixel", pixel), .option("--frame-interval", frame_interval), .option("--error", error),
     if (!is.null(besides)) c("--besides", file_of(besides, "besides")), .named("--known", known),
     if (!is.null(parameters)) c("--parameters", paste(parameters, collapse = ",")), if (!pairs) "--no-pairs",
-    if (!scores) "--no-scores", "-o", .word(folder), if (force) "--force", "--", .word(design),
-    file_of(control, "control"), paste0(labels, "=", mapply(file_of, treated, paste0("treated", seq_along(treated))))
+    if (!scores) "--no-scores", "-o", .word(folder), if (force) "--force", "--",
+    file_of(design, "design"), file_of(control, "control"),
+    paste0(sub("(.)$", "\\1=", names(treated)), mapply(file_of, treated, paste0("treated", seq_along(treated))))
   )
   said <- .call(.python(), words)
   writeLines(said)

@@ -94,9 +94,9 @@ out <- tempfile("a comparison ")
 numbers <- data.frame(group = "control", readout = "f_mat", mean = 0.3, error = 0.1)
 told <- character()
 printed <- utils::capture.output(found <- withCallingHandlers(
-  compare_treatment("my design.csv", "control.csv", c(drug = "d=1.csv", "two words" = "w.csv"), c("x", "y"), out,
-    prior = list(a = c(50, 400, "log"), b = 1:2), pixel = 0.65, frame_interval = 60, error = 0.2, besides = numbers,
-    known = list(b = c(1, 1.5)), parameters = c("a", "b"), pairs = FALSE, scores = FALSE, force = TRUE
+  compare_treatment("my design.csv", "control.csv", c(drug = "d=1.csv", "t.csv", "two words" = "w.csv"), c("x", "y"),
+    out, force = TRUE, prior = list(a = c(50, 400, "log"), b = 1:2), pixel = 0.65, frame_interval = 60, error = 0.2,
+    besides = numbers, known = list(b = c(1, 1.5)), parameters = c("a", "b"), pairs = FALSE, scores = FALSE
   ),
   message = function(m) {
     told <<- conditionMessage(m)
@@ -113,12 +113,12 @@ stopifnot(
     "-P", "-B", "-m", "matrigrate.compare", "--readouts", "x,y", "--prior", "a=50:400:log", "--prior", "b=1:2",
     "--pixel", "0.65", "--frame-interval", "60", "--error", "0.2", "--besides", "--known", "b=1:1.5",
     "--parameters", "a,b", "--no-pairs", "--no-scores", "-o", out, "--force", "--", "my design.csv", "control.csv",
-    "drug=d=1.csv", "two words=w.csv"
+    "drug=d=1.csv", "t.csv", "two words=w.csv"
   ))
 )
 tracks <- data.frame(id = "1", t_s = 0, x_um = 0, y_um = 0)
 invisible(utils::capture.output(compare_treatment("design", tracks, tracks, "straightness", tempfile())))
-stopifnot(grepl("/control[.]csv$", readLines(words)[11]), grepl("^treated=.*/treated1[.]csv$", readLines(words)[12]))
+stopifnot(grepl("/control[.]csv$", readLines(words)[11]), grepl("^/.*/treated1[.]csv$", readLines(words)[12]))
 stopifnot(grepl("^known: names of parameters are expected", tryCatch(
   compare_treatment("design", "c.csv", "t.csv", "straightness", out, known = 1), error = conditionMessage
 )))
