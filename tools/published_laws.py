@@ -43,13 +43,18 @@ def folder_of(folder, name, seed):
     return folder / f"{name.replace(', ', '-')}-{seed}"
 
 
+def is_done(run):
+    record = run / "run.json"
+    return record.exists() and json.loads(record.read_text(encoding="utf-8"))["status"] == "done"
+
+
 def compute(program, folder, jobs):
     folder.mkdir(parents=True, exist_ok=True)
     settings = [word for setting in quiet for word in ("--set", setting)]
 
     def one(seed, name, text):
         run = folder_of(folder, name, seed)
-        if (run / "summary.json").exists():
+        if is_done(run):
             return
         file = run.with_suffix(".toml")
         file.write_text(text, encoding="utf-8")
@@ -67,9 +72,9 @@ def collect(folder):
     rows = []
     for name in sorted(texts, key=lambda name: (beside[name], beside[name] != name, name)):
         for seed in range(1, 9):
-            summary = folder_of(folder, name, seed) / "summary.json"
-            if summary.exists():
-                read = json.loads(summary.read_text(encoding="utf-8"))
+            run = folder_of(folder, name, seed)
+            if is_done(run):
+                read = json.loads((run / "summary.json").read_text(encoding="utf-8"))
                 rows.append({"law": name, "beside": beside[name], "seed": seed} | {key: read[key] for key in readouts})
     with results.open("w", newline="", encoding="utf-8") as file:
         writer = csv.DictWriter(file, rows[0].keys(), lineterminator="\n")

@@ -23,7 +23,7 @@ budget = {
     "viewer/src": 10663,
 }
 wide = {"python": 336, "R": 45, "web": 58, "viewer/src": 222}  # lines of more than 120 columns
-most_files = 1286
+most_files = 1287
 endings = (".cpp", ".hpp", ".h", ".py", ".ts", ".css", ".mjs", ".R")
 
 
