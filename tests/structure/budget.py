@@ -17,7 +17,7 @@ budget = {
     "src/validation": 2834,
     "src/study": 8322,
     "apps": 5652,
-    "python": 8111,
+    "python": 8114,
     "R": 849,
     "web": 1264,
     "viewer/src": 10663,

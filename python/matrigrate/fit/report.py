@@ -41,8 +41,9 @@ _compared_heads = {"ratio_5": "treated over control, 5 %", "ratio_50": "50 %", "
                    "over_everything": "score over everything", "over_everything_error": "± ",
                    "effective_sample_size": "independent draws", "nothing": "if nothing differs",
                    "first": "if the most probable one differs", "everything": "if everything differs"}
-_compared_caption = ("Left: treated over control, if it alone differs (90 % of the posterior, and its median). "
-                     "Right: cross-validated logarithmic score over that of nothing, with its standard error")
+_ratio_caption = "treated over control, if it alone differs (90 % of the posterior, and its median)"
+_compared_caption = (f"Left: {_ratio_caption}. Right: cross-validated logarithmic score over that of nothing, "
+                     "with its standard error")
 
 
 def document(heading: str, facts: Iterable[tuple[str, str]], body: str) -> str:
@@ -358,13 +359,15 @@ def page_of_comparison(found: Comparison) -> str:
     parts = []
     for group in found.table["group"].unique():
         own = found.table[found.table["group"] == group].drop(columns="group").set_index("differs")
+        own = own.dropna(axis=1, how="all")  # scores, where there are none
+        caption = _compared_caption if "over_nothing" in own else _ratio_caption
         readouts = found.readouts[found.readouts["group"] == group]
         names = [f"{name} at {cells}" for name, cells in zip(readouts["readout"], readouts["cells"], strict=True)]
         readouts = readouts.drop(columns=["group", "cells", "readout"]).set_axis(names)
         words = [word.removeprefix(f"{group}: ") for word in found.words if word.startswith(f"{group}: ")]
         parts.append(f"""<h2>{html.escape(group)} beside control</h2>
 <ul>{_items(words)}</ul>
-{figure(lambda own=own: _treated_over_control(own), _compared_caption)}
+{figure(lambda own=own: _treated_over_control(own), caption)}
 {table(own, _compared_heads)}
 {table(readouts, _compared_heads)}""")
     notes = f"<h2>Notes</h2><ul>{_items(found.notes)}</ul>" if found.notes else ""
@@ -397,7 +400,7 @@ def _treated_over_control(own: pandas.DataFrame) -> Any:
     left.set_xlabel("treated over control")
     left.set_yticks(at, [f"{wrapped(name, 34)}: {share:.2g}" for name, share in rows["probability"].items()])
     left.invert_yaxis()
-    if rows["over_nothing_error"].isna().all():  # without scores
+    if "over_nothing_error" not in rows:
         right.remove()
         return made
     right.errorbar(rows["over_nothing"], at, xerr=rows["over_nothing_error"], fmt="o", color=red, ecolor=red)
