@@ -142,6 +142,7 @@ struct Behind::Works {
 
   void take(std::function<void()> work) {
     const std::scoped_lock lock(mutex);
+    rethrow(); // in the same lock: what comes after a failure may count on what has failed
     waiting.push_back(std::move(work));
     if (!std::exchange(busy, true)) group.run([this] { do_all(); });
   }
@@ -170,8 +171,8 @@ struct Behind::Works {
     return waiting.size() >= most;
   }
 
+  /// The caller holds the lock.
   void rethrow() {
-    const std::scoped_lock lock(mutex);
     if (const std::exception_ptr thrown = std::exchange(failure, nullptr)) std::rethrow_exception(thrown);
   }
 
@@ -193,13 +194,15 @@ Behind::~Behind() {
 
 void Behind::add(std::function<void()> work) {
   if (alone() || m_works->is_full()) wait();
-  check();
   if (alone()) return work();
   loops_begun.fetch_add(1, std::memory_order_relaxed);
   m_works->take(std::move(work));
 }
 
-void Behind::check() { m_works->rethrow(); }
+void Behind::check() {
+  const std::scoped_lock lock(m_works->mutex);
+  m_works->rethrow();
+}
 
 void Behind::wait() {
   settle();
