@@ -12,13 +12,13 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <atomic>
 #include <chrono>
 #include <cmath>
 #include <cstdlib>
 #include <deque>
 #include <exception>
 #include <mutex>
+#include <optional>
 #include <utility>
 
 // Of ThreadSanitizer; null where the program is built without it.
@@ -54,9 +54,18 @@ private:
   char m_before = 0, m_after = 0; // their addresses identify the two synchronisations
 };
 
-std::atomic<unsigned> loops_begun{0}; // by the threads of this process: no result depends on it
+std::atomic<int> offers{0}; // of the threads of this process; no result depends on it
 
-/// Lets threads wait for the next loop for a while before they sleep: to wake one takes longer than most loops.
+/// Work that other threads may take, while it lives.
+class Offer {
+public:
+  Offer() { offers.fetch_add(1, std::memory_order_relaxed); }
+  Offer(const Offer&) = delete;
+  Offer& operator=(const Offer&) = delete;
+  ~Offer() { offers.fetch_sub(1, std::memory_order_relaxed); }
+};
+
+/// Lets threads wait for the next offer for a while before they sleep: to wake one takes longer than most loops.
 class Awake : public tbb::task_scheduler_observer {
 public:
   Awake() { observe(true); }
@@ -68,12 +77,17 @@ public:
     if (!is_worker) return;
     using Clock = std::chrono::steady_clock;
     constexpr auto longest = std::chrono::microseconds(500);
-    constexpr auto until_offered = std::chrono::microseconds(3); // from the count to the ranges of a loop
-    const unsigned before = loops_begun.load(std::memory_order_relaxed);
-    auto end = Clock::now() + longest;
-    while (loops_begun.load(std::memory_order_relaxed) == before)
-      if (Clock::now() >= end) return;
-    for (end = Clock::now() + until_offered; Clock::now() < end;) {
+    constexpr auto until_there = std::chrono::microseconds(3); // from an offer to its ranges
+    const auto end = Clock::now() + longest;
+    int least = offers.load(std::memory_order_relaxed);
+    while (Clock::now() < end) {
+      const int open = offers.load(std::memory_order_relaxed);
+      if (open > least) {
+        for (const auto there = Clock::now() + until_there; Clock::now() < there;) {
+        }
+        if (offers.load(std::memory_order_relaxed) > least) return;
+      }
+      least = std::min(least, open);
     }
   }
 };
@@ -105,8 +119,12 @@ std::string threading_version() { return TBB_runtime_version(); }
 bool alone() { return tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism) == 1; }
 
 void parallel_ranges(std::size_t n, std::size_t grain, const std::function<void(std::size_t, std::size_t)>& body) {
+  if (n <= grain || alone()) { // one range: nobody else is needed
+    if (n > 0) body(0, n);
+    return;
+  }
   const LoopOrder order;
-  loops_begun.fetch_add(1, std::memory_order_relaxed);
+  const Offer offer;
   const auto loop = [&] {
     tbb::parallel_for(
         tbb::blocked_range<std::size_t>(0, n, grain),
@@ -115,7 +133,7 @@ void parallel_ranges(std::size_t n, std::size_t grain, const std::function<void(
           body(range.begin(), range.end());
           order.leave();
         },
-        tbb::static_partitioner());
+        tbb::auto_partitioner());
   };
   tbb::this_task_arena::isolate(loop); // who waits for the rest of a loop begins no other work beside it
 }
@@ -126,7 +144,7 @@ void side_by_side(std::initializer_list<std::function<void()>> works) {
     return;
   }
   const LoopOrder order;
-  loops_begun.fetch_add(1, std::memory_order_relaxed);
+  const Offer offer;
   tbb::parallel_for(
       tbb::blocked_range<std::size_t>(0, works.size()),
       [&](const auto& range) {
@@ -144,7 +162,12 @@ struct Behind::Works {
     const std::scoped_lock lock(mutex);
     rethrow(); // in the same lock: what comes after a failure may count on what has failed
     waiting.push_back(std::move(work));
-    if (!std::exchange(busy, true)) group.run([this] { do_all(); });
+    if (std::exchange(busy, true)) return;
+    offer.emplace();
+    group.run([this] {
+      offer.reset();
+      do_all();
+    });
   }
 
   void do_all() {
@@ -180,6 +203,7 @@ struct Behind::Works {
   std::mutex mutex;
   std::deque<std::function<void()>> waiting;
   bool busy = false;
+  std::optional<Offer> offer; // until a thread has taken the first
   std::exception_ptr failure;
   tbb::task_group group;
 };
@@ -195,7 +219,6 @@ Behind::~Behind() {
 void Behind::add(std::function<void()> work) {
   if (alone() || m_works->is_full()) wait();
   if (alone()) return work();
-  loops_begun.fetch_add(1, std::memory_order_relaxed);
   m_works->take(std::move(work));
 }
 

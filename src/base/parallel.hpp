@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -79,6 +80,39 @@ void parallel_for(std::size_t n, const Body& body, std::size_t grain = parallel_
   }
   parallel_ranges(n, grain, [&body](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) body(i);
+  });
+}
+
+/// Whether test(begin, end) holds for any of the ranges that make up [0, n).
+/// @param grain  approximate minimum length of a range
+template <class Test>
+bool parallel_any(std::size_t n, const Test& test, std::size_t grain = 4 * parallel_block) {
+  std::atomic<bool> any = false;
+  parallel_ranges(n, grain, [&](std::size_t begin, std::size_t end) {
+    if (!any && test(begin, end)) any = true;
+  });
+  return any;
+}
+
+/// Calls body(begin, end) for each block of [0, n) for which test(begin, end) holds: the tests in any order, then the
+/// bodies one after the other, in order.
+template <class Test, class Body>
+void each_block_with(std::size_t n, const Test& test, const Body& body) {
+  const auto end_of = [n](std::size_t b) { return std::min(n, (b + 1) * parallel_block); };
+  std::vector<std::uint8_t> holds((n + parallel_block - 1) / parallel_block);
+  parallel_for(
+      holds.size(), [&](std::size_t b) { holds[b] = test(b * parallel_block, end_of(b)) ? 1 : 0; }, 8);
+  for (std::size_t b = 0; b < holds.size(); ++b)
+    if (holds[b] != 0) body(b * parallel_block, end_of(b));
+}
+
+/// Makes `to` a copy.
+template <class T>
+void parallel_copy(std::span<const T> from, std::vector<T>& to) {
+  to.resize(from.size());
+  parallel_ranges(from.size(), 4 * parallel_block, [&](std::size_t begin, std::size_t end) {
+    std::copy(from.begin() + static_cast<std::ptrdiff_t>(begin), from.begin() + static_cast<std::ptrdiff_t>(end),
+              to.begin() + static_cast<std::ptrdiff_t>(begin));
   });
 }
 

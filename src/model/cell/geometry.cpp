@@ -1,5 +1,6 @@
 #include "cell/geometry.hpp"
 
+#include "base/parallel.hpp"
 #include "base/points_in.hpp"
 
 #include <algorithm>
@@ -79,13 +80,17 @@ bool crosses_itself(const CortexState& c) {
   double longest = 0.0;
   for (std::size_t i = 0; i < n; ++i) longest = std::max(longest, (c.x[c.next(i)] - c.x[i]).squaredNorm());
   longest = std::sqrt(longest);
-  std::vector<std::uint8_t> near(n);
-  for (std::size_t i = 0; i + 2 < n; ++i) {
-    mark_points_in(around(c.x[i], 2.0 * longest), std::span(c.x).subspan(i + 2), near.data() + i + 2); // few are near
-    for (std::size_t j = next_marked(near, i + 2); j < n; j = next_marked(near, j + 1))
-      if (c.next(j) != i && cross_each_other(c.x[i], c.x[c.next(i)], c.x[j], c.x[c.next(j)])) return true;
-  }
-  return false;
+  const auto any_crosses = [&](std::size_t begin, std::size_t end) {
+    std::vector<std::uint8_t> near(n);
+    for (std::size_t k = begin; k < end; ++k) {
+      const std::size_t i = k % 2 == 0 ? k / 2 : n - 3 - k / 2; // long and short rows in turn
+      mark_points_in(around(c.x[i], 2.0 * longest), std::span(c.x).subspan(i + 2), near.data() + i + 2); // few are near
+      for (std::size_t j = next_marked(near, i + 2); j < n; j = next_marked(near, j + 1))
+        if (c.next(j) != i && cross_each_other(c.x[i], c.x[c.next(i)], c.x[j], c.x[c.next(j)])) return true;
+    }
+    return false;
+  };
+  return n > 2 && parallel_any(n - 2, any_crosses, 32);
 }
 
 bool contains(const CortexState& c, const Vec2& p) {

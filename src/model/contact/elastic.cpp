@@ -10,7 +10,7 @@ double contact_pressure(double distance, const Parameters& p) {
 
 void add_elastic_contact(const EcmState& ecm, const CortexState& c, const Parameters& p,
                          std::span<const NearbyParticle> nearby, double dt, std::uint32_t first, std::span<Vec2> force,
-                         DragSystem& A) {
+                         NodeForces& on_matrix, DragSystem& A) {
   const double width = p.ecm.particle_spacing * p.ecm.thickness; // [um^2] a unit of pressure acts on
   const double stiffness = moduli(p.ecm).K * width / p.contact.range;
   for (const NearbyParticle& e : nearby) {
@@ -20,7 +20,7 @@ void add_elastic_contact(const EcmState& ecm, const CortexState& c, const Parame
     const std::uint32_t a = first + e.segment;
     const std::uint32_t b = first + static_cast<std::uint32_t>(c.next(e.segment));
     const Vec2 F = f * contact_pressure(e.distance, p) * width * e.normal;
-    force[e.particle] += F;
+    on_matrix.add(e.particle, F);
     force[a] -= (1.0 - e.s) * F;
     force[b] -= e.s * F;
     if (!rigid) A.directed.add_entry(e.particle, e.normal);

@@ -21,9 +21,10 @@ inline constexpr double obstacle_contact = 20.0;
 /// Adds f_degr (E_k/E) p_c dp t_z along the normal to the particle and its reaction to the ends of the segment,
 /// linearly implicit along the normal. For a particle of an obstacle, which does not move, obstacle_contact stands in
 /// place of f_degr E_k/E.
-/// @param first  node of particle 0 of the cortex   @param force  of all nodes [nN]
+/// @param first      node of particle 0 of the cortex   @param force  of all nodes, but for those of the matrix [nN]
+/// @param on_matrix  forces on the nodes of the matrix
 void add_elastic_contact(const EcmState& ecm, const CortexState& c, const Parameters& p,
                          std::span<const NearbyParticle> nearby, double dt, std::uint32_t first, std::span<Vec2> force,
-                         DragSystem& A);
+                         NodeForces& on_matrix, DragSystem& A);
 
 } // namespace matrigrate

@@ -25,4 +25,7 @@ std::size_t fluidize_torn(EcmState& ecm, const EcmParameters& p);
 /// Repeats until none is left, and updates `ref`.  @return number of fluidized particles
 std::size_t fluidize_orphans(EcmState& ecm, const EcmParameters& p, Reference& ref);
 
+/// Whether either of the two may find a particle; updates `ref`.
+bool any_lost(const EcmState& ecm, const EcmParameters& p, Reference& ref);
+
 } // namespace matrigrate

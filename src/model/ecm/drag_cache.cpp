@@ -1,5 +1,7 @@
 #include "ecm/drag_cache.hpp"
 
+#include "base/parallel.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -22,11 +24,12 @@ DragTiles::DragTiles(std::span<const Vec2> X, double spacing) {
 void DragTiles::refresh(std::span<const Vec2> x, double lag, std::vector<Vec2>& x_drag) const {
   if (x_drag.size() != x.size()) x_drag.assign(x.begin(), x.end());
   const double max_squared = lag * lag;
-  for (std::size_t k = 0; k + 1 < m_first.size(); ++k) {
+  const auto refresh_tile = [&](std::size_t k) {
     const auto tile = std::span(m_particle).subspan(m_first[k], m_first[k + 1] - m_first[k]);
     if (std::ranges::any_of(tile, [&](std::uint32_t i) { return (x[i] - x_drag[i]).squaredNorm() > max_squared; }))
       for (const std::uint32_t i : tile) x_drag[i] = x[i];
-  }
+  };
+  parallel_for(m_first.size() - 1, refresh_tile, 32);
 }
 
 /// Brings the pattern up to date.   @return 1 for each row that has changed; empty: none
@@ -44,7 +47,7 @@ std::vector<std::uint8_t> DragCache::refresh_pattern(const VerletList& neighbour
 void DragCache::assemble(const EcmState& ecm, const EcmParameters& p, const VerletList& neighbours,
                          std::span<const Vec2> x_drag, double lag, double theta, DragSystem& A) {
   const std::vector<std::uint8_t> changed = refresh_pattern(neighbours, ecm.clamped);
-  m_x_drag.assign(x_drag.begin(), x_drag.end());
+  parallel_copy(x_drag, m_x_drag);
   m_tiles.refresh(ecm.x, lag, m_x_drag);
   m_rows.assemble(ecm, m_x_drag, p, neighbours.pairs(), m_pattern, changed, theta, A);
 }

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace matrigrate {
@@ -43,6 +44,9 @@ public:
 
   /// Positions at which assemble() evaluated the drag [um].
   const std::vector<Vec2>& x_drag() const { return m_x_drag; }
+
+  /// Gives them away: x_drag() is of no use until the next assemble().
+  void give_x_drag(std::vector<Vec2>& to) { std::swap(to, m_x_drag); }
 
 private:
   std::vector<std::uint8_t> refresh_pattern(const VerletList& neighbours, std::span<const std::uint8_t> clamped);

@@ -57,6 +57,13 @@ PairSeparations separations_of(const EcmState& ecm, const Adjacency& pairs, cons
   return all;
 }
 
+MATRIGRATE_SIMD
+bool any_differs(std::size_t begin, std::size_t end, std::span<const double> a, std::span<const double> b) {
+  std::uint64_t any = 0;
+  for (std::size_t i = begin; i < end; ++i) any |= a[i] == b[i] ? 0U : 1U;
+  return any != 0;
+}
+
 } // namespace
 
 Reference::Reference(const EcmState& ecm, const EcmParameters& p)
@@ -110,11 +117,15 @@ void Reference::correct(std::size_t i, const EcmState& ecm) {
 
 void Reference::update(const EcmState& ecm) {
   std::vector<std::uint32_t> touched;
-  for (std::size_t j = 0; j < ecm.size(); ++j) {
-    if (ecm.f[j] == m_f_seen[j]) continue;
-    touched.insert(touched.end(), m_pairs.of(j).begin(), m_pairs.of(j).end());
-    m_f_seen[j] = ecm.f[j];
-  }
+  each_block_with(
+      ecm.size(), [&](std::size_t begin, std::size_t end) { return any_differs(begin, end, ecm.f, m_f_seen); },
+      [&](std::size_t begin, std::size_t end) {
+        for (std::size_t j = begin; j < end; ++j) {
+          if (ecm.f[j] == m_f_seen[j]) continue;
+          touched.insert(touched.end(), m_pairs.of(j).begin(), m_pairs.of(j).end());
+          m_f_seen[j] = ecm.f[j];
+        }
+      });
   std::sort(touched.begin(), touched.end());
   touched.erase(std::unique(touched.begin(), touched.end()), touched.end());
   parallel_for(touched.size(), [&](std::size_t k) { correct(touched[k], ecm); });

@@ -84,7 +84,7 @@ std::vector<PointWeights> anchor_weights(const Cell& cell, const EcmState& ecm, 
 
 void add_adhesions(const Cell& cell, const EcmState& ecm, const AdhesionParameters& p, const Laws& laws,
                    std::span<const LawPlace> places, std::span<const PointWeights> weights, double dt,
-                   std::uint32_t first, std::span<Vec2> force, DragSystem& A) {
+                   std::uint32_t first, std::span<Vec2> force, NodeForces& on_matrix, DragSystem& A) {
   for (std::size_t n = 0; n < cell.protrusions.size(); ++n) {
     const Vec2* point = anchor(cell.protrusions[n].phase);
     if (point == nullptr) continue;
@@ -96,7 +96,8 @@ void add_adhesions(const Cell& cell, const EcmState& ecm, const AdhesionParamete
     const Vec2 e = L.normalized();
     const std::uint32_t tip = first + cell.protrusions[n].centre;
     force[tip] += F * e;
-    spread(weights[n], -F * e, force);
+    for (std::size_t k = 0; k < weights[n].index.size(); ++k)
+      on_matrix.add(weights[n].index[k], weights[n].weight[k] * (-F * e));
     const auto resist = [&](const Vec2& direction, double stiffness) {
       A.directed.add_entry(tip, direction);
       for (std::size_t k = 0; k < weights[n].index.size(); ++k)

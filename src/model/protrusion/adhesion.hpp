@@ -59,10 +59,11 @@ std::vector<PointWeights> anchor_weights(const Cell& cell, const EcmState& ecm, 
 /// has just formed, or that would be taut after dt if it went on as in the last step, counts as taut: as if slack, it
 /// would be stretched by all that the tip moves in the step.
 /// @param places  of each particle of the cortex, for laws that use them   @param weights  from anchor_weights()
-/// @param first   node of particle 0 of the cortex   @param force  of all nodes [nN]
+/// @param first   node of particle 0 of the cortex   @param force  of all nodes, but for those of the matrix [nN]
+/// @param on_matrix  forces on the nodes of the matrix
 void add_adhesions(const Cell& cell, const EcmState& ecm, const AdhesionParameters& p, const Laws& laws,
                    std::span<const LawPlace> places, std::span<const PointWeights> weights, double dt,
-                   std::uint32_t first, std::span<Vec2> force, DragSystem& A);
+                   std::uint32_t first, std::span<Vec2> force, NodeForces& on_matrix, DragSystem& A);
 
 /// The solid carries the anchors along for dt.
 void move_anchors(Cell& cell, const EcmState& ecm, std::span<const PointWeights> weights, double dt);

@@ -7,13 +7,6 @@ namespace matrigrate {
 
 namespace {
 
-void pin_base(const CortexState& c, const Protrusion& protrusion, const Parameters& p, std::uint32_t first,
-              DragSystem& A) {
-  for (int k = 0; k < p.adhesion.pinned_particles; ++k)
-    for (const int end : {-p.protrusion.half_width + k, p.protrusion.half_width - k})
-      A.diagonal[first + c.along(protrusion.centre, end)] += p.adhesion.base_drag;
-}
-
 /// A force `pull` between the centre of a protrusion and either end of its base, half of it each.
 void pull_base(const CortexState& c, const Protrusion& protrusion, const Parameters& p, double pull, double dt,
                std::uint32_t first, std::span<Vec2> force, DragSystem& A) {
@@ -83,7 +76,15 @@ void add_maturation(const Cell& cell, const Parameters& p, const Laws& laws, std
     if (maturing == nullptr) continue;
     const double f_mat = maturing_f_mat(maturing->steps, laws, place_at(places, protrusion.centre));
     force[first + protrusion.centre] -= f_mat * maturation_force(p) * maturing->direction;
-    pin_base(cell.cortex, protrusion, p, first, A);
+  }
+}
+
+void pin_bases(const Cell& cell, const Parameters& p, std::uint32_t first, DragSystem& A) {
+  for (const Protrusion& protrusion : cell.protrusions) {
+    if (!std::holds_alternative<Maturing>(protrusion.phase)) continue;
+    for (int k = 0; k < p.adhesion.pinned_particles; ++k)
+      for (const int end : {-p.protrusion.half_width + k, p.protrusion.half_width - k})
+        A.diagonal[first + cell.cortex.along(protrusion.centre, end)] += p.adhesion.base_drag;
   }
 }
 

@@ -59,13 +59,16 @@ double time_since_done(const Loaded& now, double dt, const Laws& laws);
 /// @param last_step  when the last step was done [s]
 double final_f_mat(const Loaded& now, double last_step, const Parameters& p, const Laws& laws);
 
-/// Adds the pull F_mat = f_mat F_am on the centre of each maturing protrusion, against d_prot, and the high drag of
-/// pinned_particles at either end of it that pins its base; also the pull that is left of F_mat in contracting
-/// protrusions, between the centre and both ends of the base.
+/// Adds the pull F_mat = f_mat F_am on the centre of each maturing protrusion, against d_prot; also the pull that is
+/// left of F_mat in contracting protrusions, between the centre and both ends of the base.
 /// @param places  of each particle of the cortex, for laws that use them
 /// @param first   node of particle 0 of the cortex   @param force  of all nodes [nN]
 void add_maturation(const Cell& cell, const Parameters& p, const Laws& laws, std::span<const LawPlace> places,
                     double dt, std::uint32_t first, std::span<Vec2> force, DragSystem& A);
+
+/// Adds the high drag of pinned_particles at either end of each maturing protrusion: it pins the base.
+/// @param first  as above
+void pin_bases(const Cell& cell, const Parameters& p, std::uint32_t first, DragSystem& A);
 
 /// An adhesion when its protrusion begins to contract (Heck et al. 2020, section "Maturation"; MODEL.md, I20): the
 /// bundle takes over handover_share of f_mat F_am.

@@ -18,6 +18,12 @@ std::span<const double> propensity_of(std::size_t cell, const Workspace& w) {
   return cell < w.propensity.size() ? std::span<const double>(w.propensity[cell]) : std::span<const double>();
 }
 
+void advance_protrusions(State& s, const Parameters& p, double dt, Workspace& w) {
+  w.without_bias = 0;
+  for (std::size_t k = 0; k < s.cells.size(); ++k)
+    w.without_bias += advance_protrusions(s.cells[k], s.ecm, s.now(), p, dt, w.laws, propensity_of(k, w)) ? 1 : 0;
+}
+
 /// The next multiple of dt, whatever rounding left before; dt later from a time between multiples [s].
 double time_after(double t, double dt) {
   const double steps = t / dt;
@@ -43,10 +49,10 @@ std::optional<StepTooLong> advance(State& s, const Parameters& p, double dt, Wor
   // events
   advance_attractant(s, p, dt, w);
   degrade_around_cells(s, p, dt, w);
-  w.without_bias = 0;
-  for (std::size_t k = 0; k < s.cells.size(); ++k)
-    w.without_bias += advance_protrusions(s.cells[k], s.ecm, s.now(), p, dt, w.laws, propensity_of(k, w)) ? 1 : 0;
+  bool lost = false;
+  side_by_side({[&] { advance_protrusions(s, p, dt, w); }, [&] { lost = any_lost(s.ecm, p.ecm, w.reference); }});
   require_inside(s, p);
+  if (!lost) return {};
   w.health.torn += fluidize_torn(s.ecm, p.ecm);
   w.health.orphans += fluidize_orphans(s.ecm, p.ecm, w.reference);
   return {};

@@ -45,7 +45,7 @@ CortexState after_a_quarter_step(CortexState c, const Parameters& p, double dt) 
 
 Vec2 sum(std::span<const Vec2> forces) { return std::accumulate(forces.begin(), forces.end(), Vec2(0.0, 0.0)); }
 
-/// Right side of Eq. (1) for a cell, in the paper's order.
+/// Right side of Eq. (1) for a cell, in the paper's order. What it does to the matrix waits in w.on_matrix.
 void assemble_cell_forces(const State& s, std::size_t k, const Parameters& p, double dt, Workspace& w) {
   const Cell& cell = s.cells[k];
   const CellShape& shape = w.cells[k];
@@ -57,7 +57,7 @@ void assemble_cell_forces(const State& s, std::size_t k, const Parameters& p, do
   add_bending(c, p.cell, dt, first, w.force, w.drag);
   add_area(c, p.cell, dt, first, w.force, w.drag);
   add_repulsion(c, p.cell, dt, first, w.force, w.drag);
-  add_elastic_contact(s.ecm, c, p, shape.nearby, dt, first, w.force, w.drag);
+  add_elastic_contact(s.ecm, c, p, shape.nearby, dt, first, w.force, w.on_matrix, w.drag);
   add_actomyosin(c, m.f_mat, shape.places, dt, first, w.force, w.drag, w.laws);
   const Vec2 inner = sum(forces);
   add_growth(cell, p.protrusion, area(c) / initial_area(p.cell), shape.normals, first, w.force, w.drag, s.t,
@@ -65,7 +65,8 @@ void assemble_cell_forces(const State& s, std::size_t k, const Parameters& p, do
   add_base_ties(cell, p.protrusion, p.cell.spring_stiffness, dt, first, w.force, w.drag);
   add_maturation(cell, p, w.laws, shape.places, dt, first, w.force, w.drag);
   w.outer_force += sum(forces) - inner;
-  add_adhesions(cell, s.ecm, p.adhesion, w.laws, shape.places, shape.anchor_weights, dt, first, w.force, w.drag);
+  add_adhesions(cell, s.ecm, p.adhesion, w.laws, shape.places, shape.anchor_weights, dt, first, w.force, w.on_matrix,
+                w.drag);
 }
 
 /// The nucleus of a cell, and its contact with the cortex.
@@ -79,8 +80,9 @@ void assemble_nucleus_forces(const State& s, std::size_t k, const Parameters& p,
   add_centring(cell, p.nucleus, dt, cortex, nucleus, w.force, w.drag);
 }
 
-/// Computes shape, protrusions and surroundings of each cell at x(t), and what resists it there: the links of A.
-void assemble_surroundings(const State& s, const Parameters& p, double dt, Workspace& w) {
+/// Computes shape, protrusions and surroundings of each cell at x(t), what resists it there, the links of A, and all
+/// forces on its nodes.
+void assemble_cells(const State& s, const Parameters& p, double dt, Workspace& w) {
   const double reach = 2.0 * p.ecm.smoothing_length;
   w.drag.links.clear();
   w.cells.resize(s.cells.size());
@@ -96,6 +98,13 @@ void assemble_surroundings(const State& s, const Parameters& p, double dt, Works
     add_viscous_contact(s.ecm, c, shape.membership.soft, p, SegmentGrid(c, reach), first_node(s, k), w.drag);
   }
   w.touches = cell_touches(s.cells, cell_reach(p.contact.cells));
+  w.drag.directed.clear();
+  w.on_matrix.clear();
+  w.outer_force = Vec2::Zero();
+  std::ranges::fill(std::span(w.force).subspan(s.ecm.size()), Vec2::Zero());
+  for (std::size_t k = 0; k < s.cells.size(); ++k) assemble_cell_forces(s, k, p, dt, w);
+  for (std::size_t k = 0; k < s.cells.size(); ++k) assemble_nucleus_forces(s, k, p, dt, w);
+  add_cell_contact(s, w.touches, p, dt, w.force, w.drag);
 }
 
 /// What needs the neighbours at x(t): the left side of Eq. (2), with the drag of cells in the liquid, and the pressure
@@ -111,23 +120,21 @@ void assemble_drag(const State& s, const Parameters& p, double dt, Workspace& w)
 /// Right side of Eq. (2) without cells and fibres, but for what the fluid's pressure does.
 void assemble_stress(const State& s, const Parameters& p, Workspace& w) {
   w.reference.update(s.ecm);
-  w.force.assign(node_count(s), Vec2::Zero());
+  std::ranges::fill(std::span(w.force).first(s.ecm.size()), Vec2::Zero());
   add_elastic_forces(s.ecm, p.ecm, w.reference, w.solid, w.force);
 }
 
 } // namespace
 
 void assemble(const State& s, const Parameters& p, double dt, Workspace& w, const Loads& loads) {
-  w.drag.directed.clear();
   w.theta = relaxation_theta(p, dt, w.limits);
-  side_by_side({[&] { assemble_drag(s, p, dt, w); }, [&] { assemble_surroundings(s, p, dt, w); },
-                [&] { assemble_stress(s, p, w); }});
-  w.outer_force = Vec2::Zero();
+  w.force.resize(node_count(s));
+  side_by_side(
+      {[&] { assemble_drag(s, p, dt, w); }, [&] { assemble_cells(s, p, dt, w); }, [&] { assemble_stress(s, p, w); }});
+  for (std::size_t k = 0; k < s.cells.size(); ++k) pin_bases(s.cells[k], p, first_node(s, k), w.drag);
   add_fibre_forces(s.ecm, p.ecm, p.fibres, w.fibres, of_step(w) * dt, w.force, w.drag);
   add_fluid_forces(s.ecm, p.ecm, w.neighbours.pairs(), w.fluid_pressure, w.force);
-  for (std::size_t k = 0; k < s.cells.size(); ++k) assemble_cell_forces(s, k, p, dt, w);
-  for (std::size_t k = 0; k < s.cells.size(); ++k) assemble_nucleus_forces(s, k, p, dt, w);
-  add_cell_contact(s, w.touches, p, dt, w.force, w.drag);
+  w.on_matrix.add_to(w.force);
   if (loads) {
     const Vec2 inner = sum(w.force);
     loads(s, w.force);
@@ -139,7 +146,10 @@ void assemble(const State& s, const Parameters& p, double dt, Workspace& w, cons
   const auto add = [&, F = w.drag.F.data(), force = w.force.data()](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) F[i] += share * force[i];
   };
-  each_unflagged_stretch(s.ecm.clamped, add);
+  parallel_ranges(s.ecm.size(), parallel_block, [&](std::size_t begin, std::size_t end) {
+    each_unflagged_stretch(std::span(s.ecm.clamped).subspan(begin, end - begin),
+                           [&](std::size_t from, std::size_t to) { add(begin + from, begin + to); });
+  });
   add(s.ecm.size(), w.force.size());
 }
 

@@ -50,7 +50,10 @@ bool any_faster(std::span<const Vec2> v, double limit) {
 std::optional<StepTooLong> too_far(const State& s, double dt, const StepLimits& limits, std::span<const Vec2> v,
                                    double max_move) {
   const double max_speed = max_move / dt;
-  if (!any_faster(v, max_speed * max_speed)) return {};
+  const auto faster = [&](std::size_t begin, std::size_t end) {
+    return any_faster(v.subspan(begin, end - begin), max_speed * max_speed);
+  };
+  if (!parallel_any(v.size(), faster)) return {};
   for (std::size_t i = 0; i < v.size(); ++i) {
     if (v[i].squaredNorm() <= max_speed * max_speed) continue; // false for what is not a number
     return StepTooLong{fmt::format(
@@ -90,7 +93,7 @@ std::optional<StepTooLong> crossing(const State& s, double dt, std::span<const V
 /// Makes v the velocities of matrix and cells.
 void accept(State& s, Workspace& w) {
   std::swap(s.solver_memory.v_before, w.v_now);
-  s.solver_memory.x_drag = w.drag_cache.x_drag();
+  w.drag_cache.give_x_drag(s.solver_memory.x_drag);
   set_node_velocities(s, w.v);
 }
 
@@ -98,7 +101,7 @@ void accept(State& s, Workspace& w) {
 
 void extrapolate_velocities(const State& s, Workspace& w) {
   node_velocities(s, w.v_now);
-  w.v = w.v_now;
+  parallel_copy(std::span<const Vec2>(w.v_now), w.v);
   const std::vector<Vec2>& v_before = s.solver_memory.v_before;
   if (v_before.size() != w.v.size()) return;
   const auto go_on = [v = w.v.data(), before = v_before.data()](std::size_t begin, std::size_t end) {
@@ -112,9 +115,12 @@ std::optional<StepTooLong> solve_velocities(State& s, const Parameters& p, doubl
                                             const StepBounds& bounds) {
   w.health.solve = w.solver->solve(w.drag, w.v);
   require_solved(s, p, w.health.solve);
-  if (auto refused = too_far(s, dt, w.limits, w.v, bounds.max_move)) return refused;
-  if (!bounds.may_cross)
-    if (auto refused = crossing(s, dt, w.v)) return refused;
+  std::optional<StepTooLong> further, crossed;
+  side_by_side({[&] { further = too_far(s, dt, w.limits, w.v, bounds.max_move); },
+                [&] {
+                  if (!bounds.may_cross) crossed = crossing(s, dt, w.v);
+                }});
+  if (further || crossed) return further ? further : crossed;
   accept(s, w);
   return {};
 }

@@ -61,6 +61,7 @@ struct Workspace {
   std::vector<std::vector<double>> propensity;
   DragSystem drag;
   std::vector<Vec2> force;         ///< all forces except drag, on all nodes including clamped ones [nN]
+  NodeForces on_matrix;            ///< of them, those of the cells on the matrix
   Vec2 outer_force = Vec2::Zero(); ///< the part of the external forces: growth, maturation, loads [nN]
   std::vector<Vec2> v;             ///< velocities of all nodes [um/s]
   std::vector<Vec2> v_now;         ///< those of the state at the begin of the step [um/s]

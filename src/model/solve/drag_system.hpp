@@ -67,6 +67,19 @@ struct DragSystem {
   std::size_t size() const { return diagonal.size(); }
 };
 
+/// Forces on nodes, to be added in this order [nN].
+class NodeForces {
+public:
+  void clear() { m_forces.clear(); }
+  void add(std::uint32_t k, const Vec2& F) { m_forces.emplace_back(k, F); }
+  void add_to(std::span<Vec2> force) const {
+    for (const auto& [k, F] : m_forces) force[k] += F;
+  }
+
+private:
+  std::vector<std::pair<std::uint32_t, Vec2>> m_forces;
+};
+
 /// y = A x.
 void multiply(const DragSystem& A, std::span<const Vec2> x, std::span<Vec2> y);
 

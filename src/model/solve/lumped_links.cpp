@@ -34,7 +34,8 @@ void LumpedLinks::add_to(const Grid& grid, Eigen::MatrixXf& A) const {
   for (std::size_t k = 0; k < size(); ++k) {
     const Grid::Around& at = grid.around(k);
     for (std::size_t p = 0; p < 4; ++p) {
-      for (std::size_t q = 0; q < 4; ++q) A(at.point[p], at.point[q]) += m_g[k] * at.weight[p] * at.weight[q];
+      for (std::size_t q = 0; q < 4; ++q)
+        if (at.point[q] <= at.point[p]) A(at.point[p], at.point[q]) += m_g[k] * at.weight[p] * at.weight[q];
       for (std::uint32_t e = m_first[k]; e < m_first[k + 1]; ++e)
         g(at.point[p], m_cell_dofs[e]) += at.weight[p] * m_drag[e];
     }
@@ -44,8 +45,8 @@ void LumpedLinks::add_to(const Grid& grid, Eigen::MatrixXf& A) const {
     touched.clear();
     for (long p = 0; p < g.rows(); ++p)
       if (g(p, a) != 0.0F) touched.push_back(p);
-    for (const long p : touched)
-      for (const long q : touched) A(p, q) -= m_T[static_cast<std::size_t>(a)] * g(p, a) * g(q, a);
+    for (auto q = touched.begin(); q != touched.end(); ++q)
+      for (auto p = q; p != touched.end(); ++p) A(*p, *q) -= m_T[static_cast<std::size_t>(a)] * g(*p, a) * g(*q, a);
   }
 }
 

@@ -32,7 +32,7 @@ public:
   std::span<const std::uint32_t> nodes() const { return m_nodes; } ///< the linked nodes of the matrix
   float drag(std::size_t k) const { return m_g[k]; }               ///< g_k
 
-  /// A += P^T E P for a grid located at nodes().
+  /// Lower half of A += P^T E P for a grid located at nodes().
   void add_to(const Grid& grid, Eigen::MatrixXf& A) const;
 
   /// u := E u on the linked nodes.

@@ -153,7 +153,10 @@ std::span<const std::uint8_t> VerletList::update(std::span<const Vec2> x, double
   constexpr std::size_t few = 8; // one particle in so many
   const bool listed = m_x_listed.size() == x.size();
   const double safe = 0.5 * m_skin;
-  if (listed && !any_further(x, m_x_listed, safe * safe)) return {};
+  const auto further = [&](std::size_t begin, std::size_t end) {
+    return any_further(x.subspan(begin, end - begin), std::span(m_x_listed).subspan(begin, end - begin), safe * safe);
+  };
+  if (listed && !parallel_any(x.size(), further)) return {};
   ++m_updates;
   const std::vector<std::uint32_t> from_there = listed ? moved(x) : std::vector<std::uint32_t>();
   if (listed && few * from_there.size() < x.size()) {

@@ -1,5 +1,7 @@
 #include "state/dof.hpp"
 
+#include "base/parallel.hpp"
+
 namespace matrigrate {
 
 std::uint32_t first_node(const State& s, std::size_t cell) {
@@ -46,7 +48,7 @@ void node_velocities(const State& s, std::vector<Vec2>& v) {
 
 void set_node_velocities(State& s, std::span<const Vec2> v) {
   const auto take = [&v](std::size_t n, std::vector<Vec2>& to) {
-    to.assign(v.begin(), v.begin() + static_cast<std::ptrdiff_t>(n));
+    parallel_copy(v.first(n), to);
     v = v.subspan(n);
   };
   take(s.ecm.size(), s.ecm.v);

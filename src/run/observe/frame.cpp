@@ -87,8 +87,11 @@ std::vector<double> fluid_pressures(const EcmState& ecm, const EcmParameters& p)
   }
   const double rho_lattice = lattice_density(p);
   const Adjacency pairs = neighbours_within(part.x, kernel.support(), part.period_x);
-  for (std::size_t k = 0; k < of_part.size(); ++k)
+  constexpr std::size_t grain = 64;
+  const auto set = [&](std::size_t k) {
     if (part.f[k] <= 0.0) pressures[of_part[k]] = fluid_pressure(part, p, pairs, kernel, rho_lattice, k);
+  };
+  parallel_for(of_part.size(), set, grain);
   return pressures;
 }
 
@@ -96,16 +99,19 @@ MatrixFrame matrix_frame(const State& s, const Parameters& p, const Workspace& w
   const EcmState& ecm = s.ecm;
   const double K = moduli(p.ecm).K;
   const std::vector<double> fluid = fluid_pressures(ecm, p.ecm);
-  MatrixFrame m;
-  for (std::size_t i = 0; i < ecm.size(); ++i) {
+  const std::size_t n = ecm.size();
+  MatrixFrame m{Floats(2 * n), Floats(2 * n), Floats(n), Floats(n), Floats(n), {}};
+  parallel_for(n, [&](std::size_t i) {
     const Vec2 u = ecm.displacement(i);
     const bool solid = ecm.f[i] > 0.0;
-    m.displacement.insert(m.displacement.end(), {fixed(u.x()), fixed(u.y())});
-    m.velocity.insert(m.velocity.end(), {short_float(ecm.v[i].x()), short_float(ecm.v[i].y())});
-    m.f_degr.push_back(static_cast<float>(ecm.f[i]));
-    m.pressure.push_back(short_float(Pa * (solid ? pressure(ecm.rho[i], K * ecm.stiffness(i)) : fluid[i])));
-    m.von_mises.push_back(solid ? short_float(Pa * von_mises(ecm.S[i])) : 0.0F);
-  }
+    for (std::size_t d = 0; d < 2; ++d) {
+      m.displacement[2 * i + d] = fixed(u[static_cast<long>(d)]);
+      m.velocity[2 * i + d] = short_float(ecm.v[i][static_cast<long>(d)]);
+    }
+    m.f_degr[i] = static_cast<float>(ecm.f[i]);
+    m.pressure[i] = short_float(Pa * (solid ? pressure(ecm.rho[i], K * ecm.stiffness(i)) : fluid[i]));
+    m.von_mises[i] = solid ? short_float(Pa * von_mises(ecm.S[i])) : 0.0F;
+  });
   for (const double c : ecm.attractant) m.attractant.push_back(short_float(c));
   if (!w.fibres.empty())
     for (const double stress : fibre_stress_field(ecm, p.fibres, w.fibres))

@@ -256,6 +256,46 @@ TEST(Parallel, LoopVisitsEveryIndexOnce) {
   }
 }
 
+TEST(Parallel, AnyFindsOneIndexWhereverItIs) {
+  for (const int threads : {1, 2, 5})
+    with_threads(threads, [&] {
+      const auto found = [](std::size_t n, std::size_t wanted) {
+        return parallel_any(
+            n, [=](std::size_t begin, std::size_t end) { return begin <= wanted && wanted < end; }, 16);
+      };
+      for (const std::size_t wanted : {0U, 15U, 16U, 500U, 999U}) EXPECT_TRUE(found(1000, wanted));
+      EXPECT_FALSE(found(1000, 1000));
+      EXPECT_FALSE(found(0, 0));
+      return 0;
+    });
+}
+
+TEST(Parallel, BlocksThatPassATestAreVisitedInOrder) {
+  for (const int threads : {1, 3})
+    with_threads(threads, [&] {
+      const std::size_t n = 20 * parallel_block + 7;
+      std::vector<std::size_t> visited;
+      each_block_with(
+          n, [](std::size_t begin, std::size_t) { return begin / parallel_block % 10 == 0; },
+          [&](std::size_t begin, std::size_t end) {
+            visited.insert(visited.end(), {begin, end});
+          });
+      EXPECT_EQ(visited, (std::vector<std::size_t>{0, parallel_block, 10 * parallel_block, 11 * parallel_block,
+                                                   20 * parallel_block, n}));
+      return 0;
+    });
+}
+
+TEST(Parallel, ACopyIsTheWhole) {
+  with_threads(3, [] {
+    std::vector<int> from(10'001), to(3);
+    std::iota(from.begin(), from.end(), 0);
+    parallel_copy(std::span<const int>(from), to);
+    EXPECT_EQ(from, to);
+    return 0;
+  });
+}
+
 TEST(Parallel, LoopUsesSeveralThreads) {
   // Each body waits until a second thread has come, so that the test fails (after its deadline) if none does.
   std::atomic<std::thread::id> first{};

@@ -19,7 +19,9 @@ namespace {
 
 Assembled contact_of(const Scene& s) {
   return assemble(s.ecm.size() + s.c.size(), [&](std::span<Vec2> force, DragSystem& A) {
-    add_elastic_contact(s.ecm, s.c, s.p, s.nearby(), time_step, s.first(), force, A);
+    NodeForces on_matrix;
+    add_elastic_contact(s.ecm, s.c, s.p, s.nearby(), time_step, s.first(), force, on_matrix, A);
+    on_matrix.add_to(force);
   });
 }
 
@@ -124,7 +126,9 @@ bool has_entry(const DragTerms<Weight>& terms, std::uint32_t node) {
 TEST(Obstacle, ResistsTheCellAndHasNoTermOfItsOwn) {
   const Pillar s;
   const Assembled a = assemble(s.ecm.size() + s.c.size(), [&](std::span<Vec2> force, DragSystem& A) {
-    add_elastic_contact(s.ecm, s.c, s.p, s.nearby(), 0.4, s.first(), force, A);
+    NodeForces on_matrix;
+    add_elastic_contact(s.ecm, s.c, s.p, s.nearby(), 0.4, s.first(), force, on_matrix, A);
+    on_matrix.add_to(force);
     add_viscous_contact(s.ecm, s.c, std::vector<std::uint8_t>(s.c.size(), 0), s.p, SegmentGrid(s.c, s.reach), s.first(),
                         A);
   });
@@ -144,7 +148,9 @@ TEST(Obstacle, IsImplicitAlongTheNormal) {
   for (const std::size_t i : {10U, 11U}) after.c.x[i] += 0.4 * speed * s.out;
   const auto contact = [](const Pillar& scene) {
     return assemble(scene.ecm.size() + scene.c.size(), [&](std::span<Vec2> force, DragSystem& A) {
-      add_elastic_contact(scene.ecm, scene.c, scene.p, scene.nearby(), 0.4, scene.first(), force, A);
+      NodeForces on_matrix;
+      add_elastic_contact(scene.ecm, scene.c, scene.p, scene.nearby(), 0.4, scene.first(), force, on_matrix, A);
+      on_matrix.add_to(force);
     });
   };
   const Assembled a = contact(s);

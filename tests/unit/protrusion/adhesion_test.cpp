@@ -22,7 +22,9 @@ Scene pulling(const Parameters& p) {
 Assembled adhesions(const Scene& s, const Parameters& p) {
   const std::vector<PointWeights> weights = anchor_weights(s.cell, s.ecm, p);
   return assemble(s.nodes(), [&](std::span<Vec2> force, DragSystem& A) {
-    add_adhesions(s.cell, s.ecm, p.adhesion, Laws(p), {}, weights, time_step, s.first(), force, A);
+    NodeForces on_matrix;
+    add_adhesions(s.cell, s.ecm, p.adhesion, Laws(p), {}, weights, time_step, s.first(), force, on_matrix, A);
+    on_matrix.add_to(force);
   });
 }
 

@@ -47,6 +47,7 @@ TEST(Maturation, PinsAsManyParticlesOfTheBaseAsAsked) {
     add_protrusion(s, 50, Maturing{.direction = {1.0, 0.0}, .anchor = 2.0 * s.cell.cortex.x[50]});
     const Assembled a = assemble(s.nodes(), [&](std::span<Vec2> force, DragSystem& A) {
       add_maturation(s.cell, p, Laws(p), {}, a_step, s.first(), force, A);
+      pin_bases(s.cell, p, s.first(), A);
     });
     for (std::size_t i = 0; i < s.cell.cortex.size(); ++i) {
       const bool on_base = (i >= 30 && i < 30U + pinned) || (i <= 70 && i > 70U - pinned);
@@ -175,6 +176,7 @@ TEST(Maturation, PullsTheCentreBackAndPinsTheBase) {
   add_protrusion(s, 150, Growing{outward(s, 150)});
   const Assembled a = assemble(s.nodes(), [&](std::span<Vec2> force, DragSystem& A) {
     add_maturation(s.cell, p, Laws(p), {}, a_step, s.first(), force, A);
+    pin_bases(s.cell, p, s.first(), A);
   });
   for (std::size_t i = 0; i < s.cell.cortex.size(); ++i) {
     const Vec2 expected = i == 50 ? Vec2(-0.3 * 0.6 * d) : Vec2(0.0, 0.0);

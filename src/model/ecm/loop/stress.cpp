@@ -176,17 +176,20 @@ void follow_deformation(const EcmState& ecm, const Reference& ref, SolidFields& 
   solid.resize(n);
   solid.f.resize(n);
   std::vector<std::uint32_t> changed;
-  for (std::size_t begin = 0; begin < n; begin += parallel_block) {
-    const std::size_t end = std::min(n, begin + parallel_block);
-    if (!anew && !any_changed(begin, end, ecm.x[0].data(), ecm.X[0].data(), ecm.f.data(), solid)) continue;
-    for (std::size_t i = begin; i < end; ++i) {
-      const Vec2 fu = ecm.f[i] * ecm.displacement(i);
-      if (!anew && ecm.f[i] == solid.f[i] && fu == solid.fu[i]) continue;
-      solid.f[i] = ecm.f[i];
-      solid.fu.set(i, fu);
-      changed.push_back(static_cast<std::uint32_t>(i));
-    }
-  }
+  each_block_with(
+      n,
+      [&](std::size_t begin, std::size_t end) {
+        return anew || any_changed(begin, end, ecm.x[0].data(), ecm.X[0].data(), ecm.f.data(), solid);
+      },
+      [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+          const Vec2 fu = ecm.f[i] * ecm.displacement(i);
+          if (!anew && ecm.f[i] == solid.f[i] && fu == solid.fu[i]) continue;
+          solid.f[i] = ecm.f[i];
+          solid.fu.set(i, fu);
+          changed.push_back(static_cast<std::uint32_t>(i));
+        }
+      });
   if (changed.empty()) return;
   constexpr std::size_t few = 16; // one particle in so many
   std::vector<std::uint8_t> stale(n, few * changed.size() < n ? 0 : 1);
