@@ -7,7 +7,7 @@
 #include "parameters/laws/law.hpp"
 #include "parameters/read.hpp"
 #include "run/estimate.hpp"
-#include "simulation/start_rules.hpp"
+#include "simulation/start.hpp"
 #include "study_plan/read_study.hpp"
 
 #include <CLI/CLI.hpp>

@@ -8,7 +8,6 @@
 #include "parameters/read.hpp"
 #include "run/folder_state.hpp"
 #include "simulation/start.hpp"
-#include "simulation/start_rules.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>

@@ -9,8 +9,8 @@
 #include "run/estimate.hpp"
 #include "run/folder_state.hpp"
 #include "run/run_record.hpp"
+#include "simulation/start.hpp"
 #include "simulation/start_fields.hpp"
-#include "simulation/start_rules.hpp"
 #include "state/cortex.hpp"
 
 #include <CLI/CLI.hpp>

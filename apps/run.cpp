@@ -10,7 +10,6 @@
 #include "run/folder_state.hpp"
 #include "run/resume.hpp"
 #include "simulation/start.hpp"
-#include "simulation/start_rules.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>

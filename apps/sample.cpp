@@ -8,7 +8,6 @@
 #include "parameters/presets.hpp"
 #include "parameters/read.hpp"
 #include "simulation/start.hpp"
-#include "simulation/start_rules.hpp"
 #include "study_plan/conditions.hpp"
 #include "study_results/results.hpp"
 

@@ -6,7 +6,7 @@
 #include "parameters/nearest.hpp"
 #include "parameters/read.hpp"
 #include "run/folder_state.hpp"
-#include "simulation/start_rules.hpp"
+#include "simulation/start.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>

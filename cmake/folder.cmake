@@ -63,21 +63,26 @@ function(matrigrate_prelude target kind)
   target_precompile_headers(${target} REUSE_FROM matrigrate_prelude_${kind})
 endfunction()
 
-# matrigrate_folder(NAME [LIGHT] DEPENDS target...) makes the library matrigrate_NAME of all sources in the current folder
-# and in those of its subfolders that are no libraries of their own; LIGHT if no step of the simulation runs them.
+# matrigrate_folder(NAME [LIGHT] DEPENDS target...) makes the library matrigrate_NAME of all sources in the subfolder NAME,
+# or in the current folder of that name, and in those of its subfolders that have not become libraries before; LIGHT if no
+# step of the simulation runs them.
 # Headers are included by their path from the folder above: "ecm/loop/stress.hpp" is src/model/ecm/loop/stress.hpp.
 # The folders named in DEPENDS are the only ones whose headers it may include (tests/structure checks it).
 function(matrigrate_folder name)
   cmake_parse_arguments(arg "LIGHT" "" "DEPENDS" ${ARGN})
-  file(GLOB sources CONFIGURE_DEPENDS *.cpp */*.cpp)
-  file(GLOB headers CONFIGURE_DEPENDS *.hpp */*.hpp)
-  file(GLOB libraries RELATIVE ${CMAKE_CURRENT_SOURCE_DIR} */CMakeLists.txt)
+  set(folder ${CMAKE_CURRENT_SOURCE_DIR})
+  if(IS_DIRECTORY ${folder}/${name})
+    cmake_path(APPEND folder ${name})
+  endif()
+  file(GLOB sources CONFIGURE_DEPENDS ${folder}/*.cpp ${folder}/*/*.cpp)
+  file(GLOB headers CONFIGURE_DEPENDS ${folder}/*.hpp ${folder}/*/*.hpp)
+  get_property(libraries GLOBAL PROPERTY MATRIGRATE_FOLDERS)
   foreach(library ${libraries})
-    cmake_path(GET library PARENT_PATH library)
-    list(FILTER sources EXCLUDE REGEX "^${CMAKE_CURRENT_SOURCE_DIR}/${library}/")
-    list(FILTER headers EXCLUDE REGEX "^${CMAKE_CURRENT_SOURCE_DIR}/${library}/")
+    list(FILTER sources EXCLUDE REGEX "^${library}/")
+    list(FILTER headers EXCLUDE REGEX "^${library}/")
   endforeach()
-  cmake_path(GET CMAKE_CURRENT_SOURCE_DIR PARENT_PATH above)
+  set_property(GLOBAL APPEND PROPERTY MATRIGRATE_FOLDERS ${folder})
+  cmake_path(GET folder PARENT_PATH above)
   set(target matrigrate_${name})
   set(scope PUBLIC)
   if(sources)

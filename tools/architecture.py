@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """Draws docs/images/architecture.svg from the build files: the wings of src/ in the order of src/CMakeLists.txt, last on
-top, and in each its libraries, which name by DEPENDS only what is to their right or below, with the line `# Caption:` of their CMakeLists.txt.
+top, and in each its libraries, which name by DEPENDS only what is to their right or below, with the line `# Caption:` above.
 
     tools/architecture.py [--check]    # with --check: exit code 1 if the picture is not that of the build files
 """
@@ -35,17 +35,12 @@ STYLE = """
 def libraries() -> dict[str, tuple[str, str, set[str]]]:
     """For each library its wing, its caption and the libraries that it names."""
     found = {}
-    for path in sorted((ROOT / "src").rglob("CMakeLists.txt")):
+    for path in sorted((ROOT / "src").glob("*/CMakeLists.txt")):
         text = path.read_text(encoding="utf-8")
-        call = re.search(r"^matrigrate_folder\((\w+)([^)]*)\)", text, re.MULTILINE)
-        if call:
-            caption = re.search(r"^# Caption: (.*)$", text, re.MULTILINE)
-            if not caption:
-                sys.exit(f"{path.relative_to(ROOT)}: has no line '# Caption: ...'")
-            if len(caption[1]) > 32:
-                sys.exit(f"{path.relative_to(ROOT)}: its caption has more than 32 characters")
-            wing = path.relative_to(ROOT / "src").parts[0]
-            found[call[1]] = wing, caption[1], set(re.findall(r"\bmatrigrate_(\w+)", call[2]))
+        for caption, line, name, named in re.findall(r"^(# Caption: (.*)\n)?matrigrate_folder\((\w+)([^)]*)\)", text, re.MULTILINE):
+            if not caption or len(line) > 32:
+                sys.exit(f"{path.relative_to(ROOT)}: {name} has no line '# Caption: ...' of at most 32 characters above it")
+            found[name] = path.parent.name, line, set(re.findall(r"\bmatrigrate_(\w+)", named))
     return found
 
 

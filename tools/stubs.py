@@ -3,7 +3,7 @@
 
 stubs.py [FILE]     writes FILE (default: python/matrigrate/scenario/sections.pyi, for editors that work on this tree)
 
-A wheel and a Debian package contain the file, made by setup.py and cmake/package.cmake; the repository does not.
+A wheel and a Debian package contain the file, made by setup.py and cmake/install.cmake; the repository does not.
 """
 import ast
 import pathlib

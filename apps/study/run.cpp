@@ -11,7 +11,7 @@
 #include "run/estimate.hpp"
 #include "run/folder_lock.hpp"
 #include "run/folder_state.hpp"
-#include "simulation/start_rules.hpp"
+#include "simulation/start.hpp"
 #include "study_runs/study_progress.hpp"
 
 #include <fmt/format.h>

@@ -1,7 +1,6 @@
 // The module matrigrate._core: a simulation that is stepped from Python. What users see is matrigrate.Simulation
 // (python/matrigrate/simulation.py); its words and checks are there.
 #include "simulation/simulation.hpp"
-#include "tracks.hpp"
 
 #include "base/failure.hpp"
 #include "cell/geometry.hpp"
@@ -10,7 +9,7 @@
 #include "parameters/laws/constants.hpp"
 #include "parameters/read.hpp"
 #include "run/cadence.hpp"
-#include "simulation/start_rules.hpp"
+#include "simulation/start.hpp"
 #include "simulation/step_limits.hpp"
 #include "state/dof.hpp"
 #include "store/trajectory_hash.hpp"
@@ -396,6 +395,10 @@ void add_scenarios(py::module_& module) {
 std::string closures_here(const SteppedSimulation& s) { return closures_text(closures_of(s.parameters())); }
 
 } // namespace
+
+/// Adds the read-outs of tracks (tracks.cpp): TrackParts, and track_readouts, pairs of name and meaning.
+void add_tracks(py::module_& module);
+
 } // namespace matrigrate
 
 PYBIND11_MODULE(_core, module) {

@@ -1,6 +1,5 @@
-// Tracks and their read-outs in matrigrate._core. What users see is matrigrate.tracks (python/matrigrate/tracks/__init__.py).
-#include "tracks.hpp"
-
+// Tracks and their read-outs in matrigrate._core. What users see is matrigrate.tracks
+// (python/matrigrate/tracks/__init__.py).
 #include "base/failure.hpp"
 #include "tracks/drift.hpp"
 #include "tracks/readouts.hpp"

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "base/failure.hpp"
+
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
@@ -40,6 +42,16 @@ private:
   int m_descriptor = -1;
   std::int64_t m_size; ///< of the complete pieces [bytes]
 };
+
+/// What `call` returns.   @throws InputOutputError as it does, with the file named in front
+template <class Call>
+auto naming(const std::filesystem::path& file, const Call& call) {
+  try {
+    return call();
+  } catch (const InputOutputError& trouble) {
+    throw InputOutputError(file.string() + ": " + trouble.what());
+  }
+}
 
 /// Renames a file atomically, replacing an existing file of the new name: also after a crash there is one or the other.
 /// @throws InputOutputError naming the path and the reason

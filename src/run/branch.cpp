@@ -13,7 +13,6 @@
 #include "run/provenance.hpp"
 #include "run/stopped_run.hpp"
 #include "simulation/start.hpp"
-#include "simulation/start_rules.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

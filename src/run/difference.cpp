@@ -10,7 +10,6 @@
 #include "run/folder_state.hpp"
 #include "run/run_record.hpp"
 #include "tables/csv.hpp"
-#include "tables/naming.hpp"
 #include "tables/state_json.hpp"
 
 #include <fmt/format.h>
@@ -74,7 +73,7 @@ Json readouts_of_both(const Side& a, const Side& b) {
 }
 
 store::CsvTable tracks_of(const Side& one) {
-  return store::naming(fs::path(one.name) / "tracks.csv", [&one] {
+  return naming(fs::path(one.name) / "tracks.csv", [&one] {
     store::CsvTable table = store::read_csv(one.tracks);
     if (!table.column("t_s")) throw InputOutputError("has no column t_s");
     return table;

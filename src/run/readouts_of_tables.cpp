@@ -3,7 +3,6 @@
 #include "base/file.hpp"
 #include "observe/readout_table.hpp"
 #include "tables/csv.hpp"
-#include "tables/naming.hpp"
 #include "tables/run_files.hpp"
 
 #include <algorithm>
@@ -22,7 +21,7 @@ constexpr std::size_t largest_table = std::size_t{1} << 28U;
 template <class Read>
 auto from_table(const std::filesystem::path& file, const Read& read) {
   const std::string text = read_file(file, largest_table);
-  return store::naming(file, [&] { return read(text); });
+  return naming(file, [&] { return read(text); });
 }
 
 /// f_adh_rel of the protrusions of each cell.

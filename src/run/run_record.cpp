@@ -11,7 +11,6 @@
 #include "parameters/write.hpp"
 #include "run/provenance.hpp"
 #include "store/trajectory_hash.hpp"
-#include "tables/naming.hpp"
 #include "tables/state_json.hpp"
 
 #include <fmt/chrono.h>
@@ -93,7 +92,7 @@ Json parse_record(std::string_view text) {
 Json read_record(const fs::path& folder) {
   const fs::path file = folder / "run.json";
   const std::string text = read_file(file, max_record);
-  return store::naming(file, [&text] { return parse_record(text); });
+  return naming(file, [&text] { return parse_record(text); });
 }
 
 void RunRecord::note_end() {

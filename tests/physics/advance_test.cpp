@@ -5,7 +5,6 @@
 #include "cell/geometry.hpp"
 #include "ecm/loop/viscosity.hpp"
 #include "gel.hpp"
-#include "same_bits.hpp"
 #include "simulation/start.hpp"
 #include "simulation/step_limits.hpp"
 #include "sph/interpolate.hpp"

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "parameters/parameters.hpp"
+#include "state/image.hpp"
 #include "state/initial.hpp"
 #include "state/state.hpp"
 
@@ -18,5 +19,8 @@ inline State start(const Parameters& p) {
   s.ecm = disc(p);
   return s;
 }
+
+/// Whether two states are the same to the last bit, in all that is needed to go on.
+inline bool same_bits(const State& a, const State& b) { return image_of(a) == image_of(b); }
 
 } // namespace matrigrate

@@ -1,7 +1,7 @@
 #include "base/parallel.hpp"
 #include "cell/geometry.hpp"
+#include "gel.hpp"
 #include "parameters/read.hpp"
-#include "same_bits.hpp"
 #include "simulation/advance.hpp"
 #include "simulation/start.hpp"
 

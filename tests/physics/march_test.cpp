@@ -2,7 +2,6 @@
 
 #include "base/failure.hpp"
 #include "gel.hpp"
-#include "same_bits.hpp"
 #include "simulation/step_limits.hpp"
 #include "sph/interpolate.hpp"
 

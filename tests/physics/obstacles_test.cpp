@@ -1,9 +1,8 @@
 #include "cell/geometry.hpp"
+#include "gel.hpp"
 #include "parameters/read.hpp"
-#include "same_bits.hpp"
 #include "simulation/march.hpp"
 #include "simulation/start.hpp"
-#include "simulation/start_rules.hpp"
 #include "store/checkpoint.hpp"
 
 #include <gtest/gtest.h>

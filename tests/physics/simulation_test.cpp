@@ -1,8 +1,8 @@
 #include "simulation/simulation.hpp"
 
 #include "base/failure.hpp"
+#include "gel.hpp"
 #include "parameters/changes.hpp"
-#include "same_bits.hpp"
 #include "simulation/march.hpp"
 #include "simulation/start.hpp"
 

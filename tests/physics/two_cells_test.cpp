@@ -1,7 +1,7 @@
 #include "cell/geometry.hpp"
 #include "ecm/degradation.hpp"
+#include "gel.hpp"
 #include "observe/health.hpp"
-#include "same_bits.hpp"
 #include "simulation/advance.hpp"
 #include "simulation/start.hpp"
 #include "store/checkpoint.hpp"

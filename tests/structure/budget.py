@@ -7,23 +7,23 @@ import subprocess
 import sys
 
 budget = {
-    "src/base": 1467,
+    "src/base": 1479,
     "src/fields": 2858,
     "src/statistics": 729,
     "src/tracks": 4030,
     "src/parameters": 6219,
-    "src/model": 11258,
-    "src/run": 10676,
+    "src/model": 11227,
+    "src/run": 10637,
     "src/validation": 2834,
-    "src/study": 8322,
-    "apps": 5652,
-    "python": 8114,
+    "src/study": 8319,
+    "apps": 5649,
+    "python": 8106,
     "R": 849,
     "web": 1264,
     "viewer/src": 10663,
 }
 wide = {"python": 336, "R": 45, "web": 58, "viewer/src": 222}  # lines of more than 120 columns
-most_files = 1287
+most_files = 1250
 endings = (".cpp", ".hpp", ".h", ".py", ".ts", ".css", ".mjs", ".R")
 
 

@@ -54,15 +54,13 @@ std::size_t skipped_length(std::string_view text) {
 
 std::map<std::string, std::filesystem::path> libraries(const std::filesystem::path& src) {
   std::map<std::string, std::filesystem::path> found;
-  for (const auto& entry : std::filesystem::recursive_directory_iterator(src)) {
-    if (entry.path().filename() != "CMakeLists.txt") continue;
-    const std::filesystem::path folder = entry.path().parent_path();
-    const std::string name = declared_folder(read(entry.path())).first;
-    if (name.empty()) continue;
-    if (name != folder.filename())
-      throw std::runtime_error(entry.path().string() + " declares the folder '" + name + "'");
-    found.emplace(name, folder);
-  }
+  for (const std::string& wing : wings(src))
+    for (const auto& [name, named] : declared_folders(read(src / wing / "CMakeLists.txt"))) {
+      const std::filesystem::path folder = name == wing ? src / wing : src / wing / name;
+      if (!std::filesystem::is_directory(folder))
+        throw std::runtime_error(wing + " declares the folder '" + name + "'");
+      found.emplace(name, folder);
+    }
   return found;
 }
 
@@ -106,21 +104,23 @@ Findings long_functions(const Source& source, int most_lines) {
   return findings;
 }
 
-std::pair<std::string, std::set<std::string>> declared_folder(std::string_view cmake) {
+Graph declared_folders(std::string_view cmake) {
   const std::string text = std::regex_replace(std::string(cmake), std::regex("#[^\n]*"), "");
-  std::smatch call;
-  if (!std::regex_search(text, call, std::regex(R"(matrigrate_folder\s*\(\s*(\w+)([^)]*)\))"))) return {};
-  std::set<std::string> named;
-  const std::string depends = call[2];
+  const std::regex call(R"(matrigrate_folder\s*\(\s*(\w+)([^)]*)\))");
   const std::regex target(R"(\bmatrigrate_(\w+))");
-  for (auto i = std::sregex_iterator(depends.begin(), depends.end(), target); i != std::sregex_iterator(); ++i)
-    named.insert((*i)[1]);
-  return {call[1], named};
+  Graph declared;
+  for (auto i = std::sregex_iterator(text.begin(), text.end(), call); i != std::sregex_iterator(); ++i) {
+    const std::string depends = (*i)[2];
+    std::set<std::string>& named = declared[(*i)[1]];
+    for (auto k = std::sregex_iterator(depends.begin(), depends.end(), target); k != std::sregex_iterator(); ++k)
+      named.insert((*k)[1]);
+  }
+  return declared;
 }
 
 Graph declared_edges(const std::filesystem::path& src) {
   Graph edges;
-  for (const auto& [name, folder] : libraries(src)) edges.emplace(declared_folder(read(folder / "CMakeLists.txt")));
+  for (const std::string& wing : wings(src)) edges.merge(declared_folders(read(src / wing / "CMakeLists.txt")));
   return edges;
 }
 

@@ -21,22 +21,22 @@ struct Source {
 /// For each folder the folders that it names, or that it may include.
 using Graph = std::map<std::string, std::set<std::string>>;
 
-/// The folders that are libraries, with the CMakeLists.txt in each: src/base, src/model/ecm, ...
-/// @throws std::runtime_error if one names itself otherwise
+/// The folders that are libraries, as the wings' CMakeLists.txt declare them: src/base, src/model/ecm, ...
+/// @throws std::runtime_error if one has neither the name of its wing nor a folder in it
 std::map<std::string, std::filesystem::path> libraries(const std::filesystem::path& src);
 
 /// All .hpp and .cpp files below `src`, in alphabetical order; below a library, paths begin with its name.
 /// @throws std::runtime_error if one cannot be read
 std::vector<Source> sources(const std::filesystem::path& src);
 
-/// The edges declared by matrigrate_folder(NAME DEPENDS matrigrate_OTHER ...) in the libraries' CMakeLists.txt.
+/// The edges declared by matrigrate_folder(NAME DEPENDS matrigrate_OTHER ...) in the wings' CMakeLists.txt.
 Graph declared_edges(const std::filesystem::path& src);
 
 /// The folders of src/ in the order of its CMakeLists.txt.
 std::vector<std::string> wings(const std::filesystem::path& src);
 
-/// The folder of a CMakeLists.txt and those that it names; an empty name if it declares none.
-std::pair<std::string, std::set<std::string>> declared_folder(std::string_view cmake);
+/// The folders that a CMakeLists.txt declares, and those that they name.
+Graph declared_folders(std::string_view cmake);
 
 /// Each folder with all that it reaches; a folder on a cycle reaches itself.
 Graph closure(const Graph& edges);

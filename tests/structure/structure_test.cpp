@@ -210,13 +210,12 @@ TEST(StructureRules, FindsLongFunctions) {
   EXPECT_EQ(long_functions({"x/a.cpp", text}, 4), Findings{"x/a.cpp:6: a function of 5 lines"});
 }
 
-TEST(StructureRules, DeclaredFolderReadsTheNamedFolders) {
-  const auto [name, named] =
-      declared_folder("# matrigrate_folder(no)\nmatrigrate_folder(store DEPENDS matrigrate_observe\n"
-                      "  fmt::fmt matrigrate_state)");
-  EXPECT_EQ(name, "store");
-  EXPECT_EQ(named, (std::set<std::string>{"observe", "state"}));
-  EXPECT_EQ(declared_folder("add_library(x)").first, "");
+TEST(StructureRules, DeclaredFoldersAreReadWithThoseThatTheyName) {
+  const Graph declared =
+      declared_folders("# matrigrate_folder(no)\nmatrigrate_folder(store DEPENDS matrigrate_observe\n"
+                       "  fmt::fmt matrigrate_state)\nmatrigrate_folder(draw LIGHT DEPENDS matrigrate_store)\n");
+  EXPECT_EQ(declared, (Graph{{"store", {"observe", "state"}}, {"draw", {"store"}}}));
+  EXPECT_TRUE(declared_folders("add_library(x)").empty());
 }
 
 TEST(StructureRules, ClosureFollowsEdgesAndShowsCycles) {

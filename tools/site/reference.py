@@ -137,9 +137,10 @@ def _code_spans(text: str) -> str:
 
 
 def libraries(root: pathlib.Path) -> dict[str, pathlib.Path]:
-    """The folder of each library, by its name: those below src/ whose CMakeLists.txt declares one."""
-    return {path.parent.name: path.parent for path in (root / "src").rglob("CMakeLists.txt")
-            if re.search(r"^matrigrate_folder\(", path.read_text(encoding="utf-8"), re.MULTILINE)}
+    """The folder of each library, by its name: those that the wings' CMakeLists.txt declare."""
+    return {name: path.parent / name if (path.parent / name).is_dir() else path.parent
+            for path in (root / "src").glob("*/CMakeLists.txt")
+            for name in re.findall(r"^matrigrate_folder\((\w+)", path.read_text(encoding="utf-8"), re.MULTILINE)}
 
 
 def cpp_page(root: pathlib.Path) -> dict[str, str]:

@@ -9,7 +9,7 @@
 #include "parameters/read.hpp"
 #include "parameters/schema.hpp"
 #include "parameters/write.hpp"
-#include "simulation/start_rules.hpp"
+#include "simulation/start.hpp"
 #include "sph/kernel.hpp"
 #include "state/initial.hpp"
 

@@ -1,7 +1,7 @@
 #include "core/live.hpp"
 
 #include "parameters/read.hpp"
-#include "simulation/start_rules.hpp"
+#include "simulation/start.hpp"
 #include "state/image.hpp"
 
 #include <algorithm>

@@ -3,7 +3,6 @@
 #include "draw/particle_picture.hpp"
 #include "report/plot.hpp"
 #include "report/run_page.hpp"
-#include "report/verdict.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -13,6 +12,12 @@
 /// The report on statements that hold or do not: verification cases, claims of the paper. Like the report of a run, it
 /// is made of a template of viewer/ and of data. Test: tests/unit/report/report_test.cpp
 namespace matrigrate::report {
+
+/// What became of a statement.
+enum class Verdict { holds, in_direction, does_not_hold, undecided };
+
+/// "holds", "in direction", "does not hold", "undecided": in texts, tables, JSON and pages.
+std::string to_string(Verdict verdict);
 
 /// Sentences under a heading.
 struct Sentences {

@@ -5,7 +5,6 @@
 #include "state/dof.hpp"
 #include "state/members.hpp"
 #include "store/hdf5.hpp"
-#include "tables/naming.hpp"
 #include "tables/state_json.hpp"
 
 #include <fmt/format.h>

@@ -5,7 +5,6 @@
 #include "base/parallel.hpp"
 #include "store/frame_log.hpp"
 #include "store/hdf5.hpp"
-#include "tables/naming.hpp"
 
 #include <fmt/format.h>
 

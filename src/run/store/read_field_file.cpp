@@ -3,7 +3,6 @@
 #include "store/field_file.hpp"
 #include "store/frame_log.hpp"
 #include "store/hdf5.hpp"
-#include "tables/naming.hpp"
 
 #include <fmt/format.h>
 

@@ -4,7 +4,6 @@
 #include "base/file.hpp"
 #include "state/members.hpp"
 #include "store/trajectory_hash.hpp"
-#include "tables/naming.hpp"
 #include "tables/run_files.hpp"
 #include "tables/state_json.hpp"
 

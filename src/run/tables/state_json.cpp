@@ -2,7 +2,6 @@
 
 #include "base/failure.hpp"
 #include "base/file.hpp"
-#include "tables/naming.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

@@ -5,7 +5,7 @@
 #include "claims/run_msd.hpp"
 #include "claims/shipped_studies.hpp"
 #include "run/provenance.hpp"
-#include "simulation/start_rules.hpp"
+#include "simulation/start.hpp"
 #include "study_results/read_results.hpp"
 
 #include <fmt/format.h>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "report/verdict.hpp"
+#include "report/verdict_page.hpp"
 #include "study_plan/claim_rules.hpp"
 #include "study_plan/study.hpp"
 #include "study_results/results.hpp"

@@ -3,7 +3,6 @@
 #include "base/failure.hpp"
 #include "base/file.hpp"
 #include "tables/csv.hpp"
-#include "tables/naming.hpp"
 
 #include <fmt/format.h>
 
@@ -47,8 +46,7 @@ MsdCurves run_msd(const Study& study, const std::vector<Result>& results,
   constexpr std::size_t largest_table = std::size_t{1} << 28U;
   PathsByRun all;
   for (const std::filesystem::path& file : tables)
-    if (std::filesystem::exists(file))
-      store::naming(file, [&] { all.merge(paths_in(read_file(file, largest_table))); });
+    if (std::filesystem::exists(file)) naming(file, [&] { all.merge(paths_in(read_file(file, largest_table))); });
   MsdCurves curves;
   for (const Result& r : results) {
     MsdCurves cells;

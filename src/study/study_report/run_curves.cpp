@@ -6,7 +6,6 @@
 #include "store/checkpoint.hpp"
 #include "tables/cell_tracks.hpp"
 #include "tables/csv.hpp"
-#include "tables/naming.hpp"
 #include "tables/table.hpp"
 
 #include <fmt/format.h>
@@ -38,7 +37,7 @@ void each_done(const Study& study, const std::vector<Result>& results, const std
 /// Columns of a table of a run.
 std::vector<std::vector<double>> columns_of(const std::filesystem::path& file,
                                             std::initializer_list<std::string_view> names) {
-  return store::naming(file, [&] { return store::csv_columns(read_file(file, largest_table), names); });
+  return naming(file, [&] { return store::csv_columns(read_file(file, largest_table), names); });
 }
 
 /// Lags of msd.csv, and the mean over the cells at each.

@@ -2,7 +2,7 @@
 
 #include "ecm/law/fibres.hpp"
 #include "parameters/read.hpp"
-#include "simulation/start_rules.hpp"
+#include "simulation/start.hpp"
 
 #include <gtest/gtest.h>
 

@@ -4,7 +4,6 @@
 #include "base/file.hpp"
 #include "parameters/read.hpp"
 #include "simulation/start.hpp"
-#include "simulation/start_rules.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "simulation/start_rules.hpp"
+#include "simulation/start.hpp"
 
 #include "parameters/presets.hpp"
 #include "parameters/read.hpp"

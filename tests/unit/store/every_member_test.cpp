@@ -2,7 +2,7 @@
 #include "unit/store/folder_of_tables.hpp"
 
 #include "observe/frame.hpp"
-#include "physics/same_bits.hpp"
+#include "physics/gel.hpp"
 #include "state/dof.hpp"
 #include "state/image.hpp"
 #include "state/members.hpp"

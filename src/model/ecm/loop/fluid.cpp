@@ -7,14 +7,11 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <utility>
 #include <vector>
 
 namespace matrigrate {
 
 namespace {
-
-constexpr std::size_t particles_per_task = 32;
 
 /// Up to `capacity` neighbours within reach of a particle, as a structure of arrays.
 struct Near {
@@ -85,40 +82,28 @@ void find_fluid_pressures(const EcmState& ecm, const EcmParameters& p, const Adj
   for (std::uint32_t i = 0; i < ecm.size(); ++i)
     if (ecm.f[i] < 1.0) fluid.push_back(i);
   pressure.resize(ecm.size());
+  constexpr std::size_t grain = 32;
   parallel_for(
       fluid.size(),
-      [&](std::size_t k) { pressure[fluid[k]] = fluid_pressure(ecm, p, pairs, kernel, rho_lattice, fluid[k]); },
-      particles_per_task);
+      [&](std::size_t k) { pressure[fluid[k]] = fluid_pressure(ecm, p, pairs, kernel, rho_lattice, fluid[k]); }, grain);
 }
 
 void add_fluid_forces(const EcmState& ecm, const EcmParameters& p, const Adjacency& pairs,
                       std::span<const double> pressure, std::span<Vec2> force) {
   const Kernel kernel(p.smoothing_length);
   const double scale = p.thickness * ecm.V0 * ecm.V0;
-  std::vector<std::uint32_t> pressed;
-  std::vector<std::size_t> first{0}; // of their pushes on neighbours
-  for (std::uint32_t i = 0; i < ecm.size(); ++i) {
+  for (std::size_t i = 0; i < ecm.size(); ++i) { // those under pressure repel their neighbours
     if (ecm.f[i] >= 1.0 || pressure[i] == 0.0) continue;
-    pressed.push_back(i);
-    first.push_back(first.back() + pairs.of(i).size());
-  }
-  std::vector<std::size_t> count(pressed.size());
-  std::vector<std::pair<std::uint32_t, Vec2>> pushes(first.back());
-  const auto find_pushes = [&](std::size_t n) {
-    each_near(ecm, pairs, kernel.support(), pressed[n], [&](Near& near) {
-      evaluate_slopes(kernel, scale * pressure[pressed[n]], near);
-      for (std::size_t k = 0; k < near.count; ++k)
-        pushes[first[n] + count[n]++] = {near.j[k], near.value[k] * Vec2(near.x[k], near.y[k])};
+    each_near(ecm, pairs, kernel.support(), i, [&](Near& near) {
+      evaluate_slopes(kernel, scale * pressure[i], near);
+      Vec2 own = force[i];
+      for (std::size_t k = 0; k < near.count; ++k) {
+        const Vec2 push = near.value[k] * Vec2(near.x[k], near.y[k]);
+        own -= push;
+        force[near.j[k]] += push;
+      }
+      force[i] = own;
     });
-  };
-  parallel_for(pressed.size(), find_pushes, particles_per_task);
-  for (std::size_t n = 0; n < pressed.size(); ++n) {
-    Vec2 own = force[pressed[n]];
-    for (const auto& [j, push] : std::span(pushes).subspan(first[n], count[n])) {
-      own -= push;
-      force[j] += push;
-    }
-    force[pressed[n]] = own;
   }
 }
 
