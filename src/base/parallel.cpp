@@ -164,7 +164,9 @@ struct Behind::Works {
     waiting.push_back(std::move(work));
     if (std::exchange(busy, true)) return;
     offer.emplace();
+    release(taken);
     group.run([this] {
+      acquire(taken);
       offer.reset();
       do_all();
     });
@@ -204,6 +206,7 @@ struct Behind::Works {
   std::deque<std::function<void()>> waiting;
   bool busy = false;
   std::optional<Offer> offer; // until a thread has taken the first
+  char taken = 0;             // its address identifies this synchronisation
   std::exception_ptr failure;
   tbb::task_group group;
 };
