@@ -21,11 +21,11 @@ try {
   const { data, metadata } = await loadOmeTiff(`http://127.0.0.1:${server.address().port}/fields.ome.tif`);
   assert.strictEqual(data.length, 1);
   const [source] = data;
-  assert.deepStrictEqual(source.labels, ["t", "z", "c", "y", "x"]);
-  assert.deepStrictEqual(source.shape, [6, 1, 8, 60, 60]);
+  assert.deepStrictEqual(source.labels, ["t", "c", "z", "y", "x"]);
+  assert.deepStrictEqual(source.shape, [6, 8, 1, 60, 60]);
   assert.strictEqual(source.dtype, "Float32");
   assert.deepStrictEqual(source.meta.physicalSizes, { x: { size: 2, unit: "µm" }, y: { size: 2, unit: "µm" } });
-  assert.strictEqual(metadata.Pixels.DimensionOrder, "XYCZT");
+  assert.strictEqual(metadata.Pixels.DimensionOrder, "XYZCT");
   const names = metadata.Pixels.Channels.map((channel) => channel.Name);
   assert.deepStrictEqual(names, ["displacement_x [um]", "displacement_y [um]", "velocity_x [um/s]", "velocity_y [um/s]",
     "f_degr", "pressure [Pa]", "von_mises [Pa]", "cell"]);
