@@ -7,7 +7,7 @@ mkdir -p "$3"
 [ "$1" = simularium ] || "$5" "$4/../field_pixels.py" "$2" >"$3/pixels.json"
 cp "$4"/* "$3"
 cd "$3"
-[ -d node_modules ] || npm install --ignore-scripts --no-audit --no-fund --silent || exit 77
+[ -e node_modules/.package-lock.json ] || npm install --ignore-scripts --no-audit --no-fund --silent || exit 77
 if [ "$1" = viv ]; then exec node open.mjs "$2/export/fields.ome.tif" pixels.json; fi
 node_modules/.bin/esbuild page.jsx --bundle --format=iife --loader:.svg=dataurl --loader:.png=dataurl --outfile=page.js --log-level=error
 exec node open.mjs "$2"

@@ -85,7 +85,7 @@ std::size_t fluidize_orphans(EcmState& ecm, const EcmParameters& p, Reference& r
   return count;
 }
 
-bool any_lost(const EcmState& ecm, const EcmParameters& p, Reference& ref) {
+bool any_torn_or_orphan(const EcmState& ecm, const EcmParameters& p, Reference& ref) {
   ref.update(ecm);
   return any_at_bound(ecm, p) || any_orphan(ecm, p, ref);
 }

@@ -26,6 +26,6 @@ std::size_t fluidize_torn(EcmState& ecm, const EcmParameters& p);
 std::size_t fluidize_orphans(EcmState& ecm, const EcmParameters& p, Reference& ref);
 
 /// Whether either of the two may find a particle; updates `ref`.
-bool any_lost(const EcmState& ecm, const EcmParameters& p, Reference& ref);
+bool any_torn_or_orphan(const EcmState& ecm, const EcmParameters& p, Reference& ref);
 
 } // namespace matrigrate

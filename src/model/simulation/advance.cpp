@@ -49,10 +49,11 @@ std::optional<StepTooLong> advance(State& s, const Parameters& p, double dt, Wor
   // events
   advance_attractant(s, p, dt, w);
   degrade_around_cells(s, p, dt, w);
-  bool lost = false;
-  side_by_side({[&] { advance_protrusions(s, p, dt, w); }, [&] { lost = any_lost(s.ecm, p.ecm, w.reference); }});
+  bool found = false;
+  side_by_side(
+      {[&] { advance_protrusions(s, p, dt, w); }, [&] { found = any_torn_or_orphan(s.ecm, p.ecm, w.reference); }});
   require_inside(s, p);
-  if (!lost) return {};
+  if (!found) return {};
   w.health.torn += fluidize_torn(s.ecm, p.ecm);
   w.health.orphans += fluidize_orphans(s.ecm, p.ecm, w.reference);
   return {};

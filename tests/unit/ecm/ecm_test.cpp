@@ -154,13 +154,13 @@ TEST(Orphans, AndTornParticlesAreSeenBeforehand) {
   const EcmParameters p;
   EcmState ecm = rectangle(p, 40.0, 40.0, 0.0);
   Reference ref(ecm, p);
-  EXPECT_FALSE(any_lost(ecm, p, ref));
+  EXPECT_FALSE(any_torn_or_orphan(ecm, p, ref));
   EcmState torn = ecm;
   torn.rho[210] = p.density_max;
-  EXPECT_TRUE(any_lost(torn, p, ref));
+  EXPECT_TRUE(any_torn_or_orphan(torn, p, ref));
   for (std::size_t i = 0; i < ecm.size(); ++i)
     if (const double r = (ecm.X[i] - ecm.X[210]).norm(); r > 0.0 && r < 8.0) ecm.f[i] = 0.0;
-  EXPECT_TRUE(any_lost(ecm, p, ref)) << "a flake";
+  EXPECT_TRUE(any_torn_or_orphan(ecm, p, ref)) << "a flake";
 }
 
 TEST(Orphans, ClampedParticlesStaySolid) {
