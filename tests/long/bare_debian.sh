@@ -10,7 +10,7 @@ set -euo pipefail
 source=$(realpath "$(dirname "$0")/../..")
 what=${1:-}
 case $what in
-package) package=$(realpath "$2") ;;
+package) package=$(realpath "${2:?which .deb?}") ;;
 python) ;;
 *) sed -n '2,8s/^# //p' "$0" >&2; exit 2 ;;
 esac
