@@ -12,7 +12,7 @@ budget = {
     "src/statistics": 729,
     "src/tracks": 4030,
     "src/parameters": 6219,
-    "src/model": 11227,
+    "src/model": 11228,
     "src/run": 10637,
     "src/validation": 2834,
     "src/study": 8319,
