@@ -38,6 +38,12 @@ class ConfigurationError(MatrigrateError, ValueError):
         super().__init__("\n".join(str(fault) for fault in self.faults))
 
 
+def refuse(faults: list[str]) -> None:
+    """:raises ConfigurationError: with all of these, if there are any"""
+    if faults:
+        raise ConfigurationError("\n".join(faults))
+
+
 class UnknownParameter(ConfigurationError, AttributeError):
     """There is no parameter or section of that name."""
 

@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from .base import arguments
+from .base.load_core import library
 from .draw import drawing, fibres, words as _words
 from .results.results import Run
 from .results.studies import Runs, Study
@@ -244,12 +245,7 @@ def _slopes(axes: Axes, lag: Any, square: Any) -> None:
 
 
 def _pyplot() -> Any:
-    try:
-        from matplotlib import pyplot
-    except ImportError:
-        raise ImportError("figures need matplotlib: apt install python3-matplotlib, "
-                          "or pip install matplotlib") from None
-    return pyplot
+    return library("matplotlib.pyplot", "figures need matplotlib")
 
 
 def _new_axes(**options: Any) -> Any:

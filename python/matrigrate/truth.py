@@ -20,6 +20,7 @@ import numpy as np
 
 from .base import arguments
 from .base.files import require_pandas
+from .base.load_core import library
 from .draw import drawing
 from .errors import ConfigurationError, InputOutputError
 from .results import raster
@@ -229,8 +230,4 @@ def _blurred(picture: Array, width: float) -> Array:
 
 
 def _tifffile() -> Any:
-    try:
-        import tifffile
-    except ImportError:
-        raise ImportError("TIFF files need tifffile: apt install python3-tifffile, or pip install tifffile") from None
-    return tifffile
+    return library("tifffile", "TIFF files need tifffile")

@@ -32,6 +32,14 @@ class InTemporaryFolder(unittest.TestCase):
         os.chdir(self.folder)
 
 
+def points_of(parameters, values, positions=0, seen=(), design=None):
+    """Simulations for emulators: a run a point. @param seen  their tracks, of so many positions"""
+    from matrigrate.fit.measurement import Points
+
+    counts = pandas.DataFrame(1.0, values.index, values.columns)
+    return Points(parameters, values, counts, 1, positions, [], list(seen), parameters if design is None else design)
+
+
 def skip_without(*modules):
     for name in modules:
         try:

@@ -15,7 +15,6 @@ import pandas  # noqa: E402
 from matrigrate import calibrate, compare, tracks  # noqa: E402
 from matrigrate.errors import ConfigurationError  # noqa: E402
 from matrigrate.fit import fit as _fit, hypotheses, report  # noqa: E402
-from matrigrate.fit.measurement import Points  # noqa: E402
 from scipy.stats import qmc  # noqa: E402
 
 prior = {"a": (0.0, 1.0), "b": (1.0, 10.0, "log")}
@@ -122,7 +121,7 @@ class OfTracks(unittest.TestCase):
         seen = [walks(row.speed, row.turning, 1, random, k) for k, row in enumerate(parameters.itertuples())]
         names = ["speed_um_per_h", "turning_cosine"]
         values = pandas.DataFrame([one.readouts(resamples=0)["value"][names] for one in seen]).reset_index(drop=True)
-        cls.emulators = _fit.of_points(Points(parameters, values, np.ones(40), 40, [], seen))
+        cls.emulators = _fit.of_points(common.points_of(parameters, values, 40, seen))
         cls.control = walks(1.4, 0.6, 10, random)
 
     def test_cells_that_turn_less(self):

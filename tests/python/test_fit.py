@@ -15,9 +15,8 @@ import numpy as np  # noqa: E402
 import pandas  # noqa: E402
 from matrigrate import calibrate, tracks  # noqa: E402
 from matrigrate.fit import fit as _fit  # noqa: E402
-from matrigrate.fit import measurement  # noqa: E402
+from matrigrate.fit import conditions, measurement  # noqa: E402
 from matrigrate.fit.emulator import Emulator  # noqa: E402
-from matrigrate.fit.measurement import Points  # noqa: E402
 from matrigrate.fit.process import Process  # noqa: E402
 from scipy.stats import qmc  # noqa: E402
 
@@ -41,14 +40,10 @@ def measured_at(truth, random):
             "ratio": (values["ratio"], 0.1 / math.sqrt(cells))}
 
 
-def points_of(parameters, values):
-    return Points(parameters, values, np.ones(len(parameters)), 0, [])
-
-
 def emulators(n=100, seed=3):
     random = np.random.default_rng(seed)
     parameters = drawn(n, random)
-    return _fit.of_points(points_of(parameters, simulated(parameters, random)))
+    return _fit.of_points(common.points_of(parameters, simulated(parameters, random)))
 
 
 class OfAKnownModel(unittest.TestCase):
@@ -171,7 +166,7 @@ class Priors(unittest.TestCase):
         random = np.random.default_rng(4)
         parameters = pandas.DataFrame({"a": np.linspace(low, high, 40), **more})
         values = pandas.DataFrame({"speed": 10 * parameters["a"] + random.normal(0, 0.2, 40)})
-        process = _fit.of_points(Points(parameters, values, np.ones(40), 0, [], [], design), prior)
+        process = _fit.of_points(common.points_of(parameters, values, design=design), prior)
         return process.fit({"speed": measured})
 
     def test_a_posterior_that_ends_at_a_bound_is_not_constrained_there(self):
@@ -228,7 +223,7 @@ class OfTracks(unittest.TestCase):
         seen = [self.walks(row.speed, row.turning, 1, random, k) for k, row in enumerate(parameters.itertuples())]
         names = ["speed_um_per_h", "turning_cosine"]
         values = pandas.DataFrame([one.readouts(resamples=0)["value"][names] for one in seen]).reset_index(drop=True)
-        process = _fit.of_points(Points(parameters, values, np.ones(60), 40, [], seen))
+        process = _fit.of_points(common.points_of(parameters, values, 40, seen))
         measured = self.walks(1.4, 0.6, 20, random)
         fit = process.fit(measured)
         self.assertEqual(list(fit.table["constrained"]), [True, True, False])
@@ -256,7 +251,7 @@ class Refused(unittest.TestCase):
         values = pandas.DataFrame({"same": np.ones(20), "x": np.arange(20.0)})
         self.refused(["same: is the same in all simulations", "20 points have all read-outs; 30 are needed",
                       "prior: the study does not vary d", "prior: a: (2, 1) is no range"],
-                     lambda: _fit.of_points(points_of(parameters, values), {"d": (0, 1), "a": (2, 1)}))
+                     lambda: _fit.of_points(common.points_of(parameters, values), {"d": (0, 1), "a": (2, 1)}))
 
     def test_points_that_lack_read_outs_are_named(self):
         random = np.random.default_rng(1)
@@ -266,9 +261,9 @@ class Refused(unittest.TestCase):
         values.loc[:2, "speed"] = np.inf
         self.refused(["0 points have all read-outs; 30 are needed", "speed: 3 of 40 points lack it: it is not defined in their runs, or no number",
                       "directionality_ratio: 40 of 40 points lack it: it needs tracks of more than ten intervals; simulated ones have 6"],
-                     lambda: _fit.of_points(Points(parameters, values, np.ones(40), 7, [])))
+                     lambda: _fit.of_points(common.points_of(parameters, values, 7)))
         values = values[["speed"]]
-        notes = _fit.of_points(points_of(parameters, values)).notes
+        notes = _fit.of_points(common.points_of(parameters, values)).notes
         self.assertIn("3 points without all read-outs are left out: speed: 3 of 40 points lack it: it is not defined in their runs, or no number", notes)
 
     def test_measured_values_with_all_faults(self):
@@ -313,8 +308,9 @@ class OfAStudy(unittest.TestCase):
         self.refused("sped: has no measured value; tracks have speed_um_per_h", measured=tracks.of(self.study), readouts=["sped"])
 
     def test_a_read_out_of_runs_and_tracks_needs_no_interval(self):
-        of_runs = measurement.simulated(self.study, ["v_migr_abs_um_per_h"], None).values
-        of_tracks = measurement.simulated(self.study, ["v_migr_abs_um_per_h"], 60.0).values
+        runs = conditions.runs_of(self.study, [], [])[""]
+        of_runs = measurement.simulated(runs, ["v_migr_abs_um_per_h"], None).values
+        of_tracks = measurement.simulated(runs, ["v_migr_abs_um_per_h"], 60.0).values
         np.testing.assert_allclose(of_runs, of_tracks)
 
     def test_what_people_write(self):
@@ -350,10 +346,8 @@ class OfAStudy(unittest.TestCase):
                                          "to parameters of faster ones; run the study in a larger ecm.radius"])
 
     def test_read_outs_of_tracks_and_of_runs(self):
-        from matrigrate.fit.measurement import simulated as of_study
-
-        points = of_study(self.study, ["speed_um_per_h", "n_protrusions"], 120.0)
-        self.assertEqual(list(points.runs), [2, 2])
+        points = measurement.simulated(conditions.runs_of(self.study, [], [])[""], ["speed_um_per_h", "n_protrusions"], 120.0)
+        self.assertEqual((points.runs, points.counts.to_numpy().tolist()), (2, [[2, 2], [2, 2]]))
         first = self.study.results[self.study.results["label"] == "=soft"]
         self.assertEqual(points.values["n_protrusions"][0], first["n_protrusions"].mean())
         own = [tracks.of(self.study.runs[name], 120.0).readouts(resamples=0).loc["speed_um_per_h", "value"] for name in first["run"]]

@@ -24,7 +24,6 @@ from matrigrate.fit import report  # noqa: E402
 from matrigrate.scenario import schema  # noqa: E402
 from matrigrate.draw import words as _words  # noqa: E402
 from matrigrate.fit.emulator import Prior  # noqa: E402
-from matrigrate.fit.measurement import Points  # noqa: E402
 
 code = re.compile(r"[a-z]{2,}_[a-z0-9]|[a-z0-9]_[a-z]{2,}|\bum\b|\[[^\]]*\]")
 examples = common.tempfile.TemporaryDirectory()
@@ -164,7 +163,7 @@ class Pages(unittest.TestCase):
         values = pandas.DataFrame([one.readouts(resamples=0)["value"][["speed_um_per_h", "turning_cosine"]] for one in seen]).reset_index(drop=True)
         measured = self.walks(1.2, 15, random)
         measured.source = "cells.csv"
-        return _fit.of_points(Points(parameters, values, np.ones(60), 40, [], seen)).fit(measured)
+        return _fit.of_points(common.points_of(parameters, values, 40, seen)).fit(measured)
 
     def walks(self, speed, many, random):
         return tracks.Tracks({str(k): np.cumsum(random.normal(0.2, speed, (40, 2)), axis=0) for k in range(many)}, 60.0, [])

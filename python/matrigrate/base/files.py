@@ -10,6 +10,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from ..errors import InputOutputError
+from .load_core import library
 
 if TYPE_CHECKING:
     import pandas
@@ -119,8 +120,4 @@ def _column(path: Path, name: str, values: list[str], is_text: bool, strict: boo
 
 
 def require_pandas() -> Any:
-    try:
-        import pandas
-    except ImportError:
-        raise ImportError("tables need pandas: apt install python3-pandas, or pip install pandas") from None
-    return pandas
+    return library("pandas", "tables need pandas")

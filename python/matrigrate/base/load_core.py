@@ -1,14 +1,25 @@
-"""Finds and loads the compiled module."""
+"""Loads what may be missing: the compiled module, and libraries that only a part of the package needs."""
 from __future__ import annotations
 
+import importlib
 import importlib.machinery
 import importlib.util
 import os
 import sys
 from pathlib import Path
 from types import ModuleType
+from typing import Any
 
 from ..errors import CoreNotFound
+
+
+def library(name: str, use: str) -> Any:
+    """A library. :raises ImportError: naming its packages   :param use: what needs it: "tables need pandas" """
+    try:
+        return importlib.import_module(name)
+    except ImportError:
+        package = name.partition(".")[0]
+        raise ImportError(f"{use}: apt install python3-{package}, or pip install {package}") from None
 
 
 def core() -> ModuleType:

@@ -11,7 +11,7 @@ import numpy as np
 
 from ..base import arguments
 from ..base.files import make_folder, require_pandas
-from ..errors import ConfigurationError
+from ..errors import ConfigurationError, refuse
 from .conditions import Source, parameters_of, require_study, runs_of
 from .fit import Emulators, discrepancies, of_points, varied
 from .groups import Group, Pair, groups_of
@@ -145,8 +145,7 @@ def _asked_for(points: Points, groups: Sequence[Group], known: Any, parameters: 
     for group in groups:
         faults += said(group.name, size_faults(group.wanted.table, points.values))
     off, errors = discrepancies(discrepancy, {"": list(points.values)})
-    if faults := faults + off:
-        raise ConfigurationError("\n".join(faults))
+    refuse(faults + off)
     return values, may, errors
 
 
@@ -158,7 +157,5 @@ def _are_numbers(value: Any, many: int) -> bool:
 def _require_inside(values: Mapping[str, Sequence[float]], emulators: Emulators) -> None:
     prior = emulators.prior
     ends = {name: (prior.low[k], prior.high[k]) for k, name in enumerate(prior.names)}
-    if faults := [f"known: {name}: {one:g} lies outside of {ends[name][0]:g} to {ends[name][1]:g}, the range of the "
-                  "study" for name, value in values.items() for one in value
-                  if not ends[name][0] <= one <= ends[name][1]]:
-        raise ConfigurationError("\n".join(faults))
+    refuse([f"known: {name}: {one:g} lies outside of {ends[name][0]:g} to {ends[name][1]:g}, the range of the study"
+            for name, value in values.items() for one in value if not ends[name][0] <= one <= ends[name][1]])

@@ -11,7 +11,7 @@ from .. import tracks
 from ..base import arguments
 from ..base.files import require_pandas, read_text
 from ..draw import words
-from ..errors import ConfigurationError
+from ..errors import ConfigurationError, refuse
 from ..results.studies import Study, load_study
 
 if TYPE_CHECKING:
@@ -57,17 +57,14 @@ def runs_of(study: Source | Mapping[str, Source], conditions: Sequence[str], giv
     """
     if not isinstance(study, Mapping):
         return _of_waves(study, conditions, given)
-    if lacking := [name for name in conditions if name not in study]:
-        raise ConfigurationError("\n".join(f"{name}: there is no study of this condition; there are {', '.join(map(str, study))}"
-                                           for name in lacking))
+    refuse([f"{name}: there is no study of this condition; there are {', '.join(map(str, study))}" for name in conditions if name not in study])
     if not conditions:
         raise ConfigurationError("measured: studies by condition need what was measured by condition: "
                                  f"{{\"{next(iter(study), '50 Pa')}\": {{\"l_prot_um\": (13.1, 0.4)}}}}")
     found = {name: _of_waves(study[name], [], given)[""] for name in conditions}
     named = {name: set(runs.parameters) for name, runs in found.items()}
     shared = set.intersection(*named.values())
-    if odd := [f"{name}: varies {', '.join(sorted(own - shared))}, which other conditions do not" for name, own in named.items() if own != shared]:
-        raise ConfigurationError("\n".join(odd))
+    refuse([f"{name}: varies {', '.join(sorted(own - shared))}, which other conditions do not" for name, own in named.items() if own != shared])
     order = list(next(iter(found.values())).parameters)  # studies may name them in another one
     design = require_pandas().concat([runs.design for runs in found.values()], ignore_index=True)[order]
     return {name: replace(runs, parameters=order, design=design) for name, runs in found.items()}
@@ -85,9 +82,7 @@ def _together(waves: list[Runs]) -> Runs:
     if len(waves) == 1:
         return waves[0]
     first = waves[0]
-    if lacking := [f"{name}: wave {k} has no such parameter" for k, wave in enumerate(waves, 1) for name in first.parameters
-                   if name not in wave.table]:
-        raise ConfigurationError("\n".join(lacking))
+    refuse([f"{name}: wave {k} has no such parameter" for k, wave in enumerate(waves, 1) for name in first.parameters if name not in wave.table])
     table = require_pandas().concat([wave.table.assign(point=[f"{k}: {point}" for point in wave.table["point"]]) for k, wave in enumerate(waves, 1)],
                              ignore_index=True)
     table = table.drop_duplicates(["run"] if all(wave.studies for wave in waves) else [name for name in table if name != "point"], ignore_index=True)
@@ -118,8 +113,7 @@ def _of_frame(frame: pandas.DataFrame, conditions: Sequence[str], given: Sequenc
     faults += [f"{name}: only finite numbers can be fitted" for name in given if columns.count(name) == 1 and not _is_finite(frame[name])]
     if conditions and "condition" not in columns:
         faults.append("condition: the table has no such column")
-    if faults:
-        raise ConfigurationError("\n".join(faults))
+    refuse(faults)
     table = frame.assign(point=frame.groupby(list(given), sort=False).ngroup(), status=frame["status"] if "status" in columns else "done")
     if not conditions:
         return {"": _runs(table, list(given))}
@@ -133,8 +127,7 @@ def _is_finite(column: pandas.Series) -> bool:
 
 def _require_known(conditions: Sequence[str], labels: Sequence[str], owner: str) -> None:
     known = f"; it has {', '.join(labels)}" if labels else ": it has no conditions"
-    if unknown := [f"{name}: the {owner} has no such condition{known}" for name in conditions if name not in labels]:
-        raise ConfigurationError("\n".join(unknown))
+    refuse([f"{name}: the {owner} has no such condition{known}" for name in conditions if name not in labels])
 
 
 def _runs(table: pandas.DataFrame, parameters: list[str], study: Study | None = None) -> Runs:

@@ -1,10 +1,10 @@
 """Emulators of a study, or of several, and what is fitted by them. ``matrigrate.calibrate.fit`` is their user."""
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
-from typing import TYPE_CHECKING, Any, TypeVar
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -12,13 +12,13 @@ from .. import tracks
 from ..base import arguments
 from ..base.files import require_pandas
 from ..draw import words
-from ..errors import ConfigurationError
+from ..errors import refuse
 from ..results.studies import Study
 from . import emulator as _emulator
 from .conditions import by_condition, first_study, require_study, runs_of, Source, targets_of
 from .emulator import Array, Emulator, Prior
-from .measurement import Means, Measurement, Points, measurement, simulated, size_faults
-from .posterior import Fit, Part, joint, predictions, said
+from .measurement import Means, Measurement, Points, asked_for, measurement, simulated, size_faults
+from .posterior import Fit, Part, each, joint, predictions, said
 from .process import scipy
 
 if TYPE_CHECKING:
@@ -28,7 +28,6 @@ _draws = 12000  # from the prior
 _least_points = 10  # for each parameter
 _many_parameters = 6  # above which emulators have a linear part
 _largest_discrepancy = 1e100  # its square is a number
-_Made = TypeVar("_Made")
 
 
 @dataclass(frozen=True)
@@ -59,8 +58,7 @@ class Emulators:
         """
         wanted = measurement(measured, self.names, besides)
         faults, own = discrepancies(discrepancy, {"": self.names})
-        if faults := faults + size_faults(wanted.table, self.points.values):
-            raise ConfigurationError("\n".join(faults))
+        refuse(faults + size_faults(wanted.table, self.points.values))
         return joint([Part("", self, wanted, own, measured)], [], seed)
 
     @cached_property
@@ -84,7 +82,9 @@ def emulate(study: Study, readouts: Sequence[str], *, interval: float | None = N
     :raises ImportError: without SciPy
     """
     scipy()
-    return replace(of_points(simulated(study, readouts, interval, error), prior, seed), study=str(study.folder))
+    require_study(study)
+    points = simulated(runs_of(study, [], [])[""], readouts, interval, error)
+    return replace(of_points(points, prior, seed), study=str(study.folder))
 
 
 def fit(study: Source | Mapping[str, Source], measured: Any = None, readouts: Sequence[str] | None = None, *,
@@ -108,52 +108,29 @@ def fit(study: Source | Mapping[str, Source], measured: Any = None, readouts: Se
     if measured is None:
         measured = targets_of(study)
     several = by_condition(measured)
-    if several and (odd := [name for name, one in measured.items() if not isinstance(one, Mapping)]):
-        raise ConfigurationError("\n".join(f"measured: {name}: is neither tracks nor a dictionary of numbers, as other conditions have"
-                                           for name in odd))
     given = dict(measured) if several else {"": measured}
+    refuse([f"measured: {name}: is neither tracks nor a dictionary of numbers, as other conditions have"
+            for name, one in given.items() if several and not isinstance(one, Mapping)])
     more = arguments.mapping("besides", besides) if several else {"": besides}
-    if unknown := [f"besides: {name}: nothing was measured under such a condition" for name in more if name not in given]:
-        raise ConfigurationError("\n".join(unknown))
-    wanted = _each(given, lambda name: measurement(given[name], _names(given[name], readouts, more.get(name)), more.get(name)))
+    refuse([f"besides: {name}: nothing was measured under such a condition" for name in more if name not in given])
+    wanted = each(given, lambda name: measurement(given[name], asked_for(given[name], readouts, more.get(name)), more.get(name)))
     faults, own = discrepancies(discrepancy, {name: list(one.table.index) for name, one in wanted.items()})
     kept = _held_back(wanted, held_back)
     runs = runs_of(study, list(given) if several else [], list(arguments.mapping("prior", prior, "a dictionary of ranges")))
     intervals = {name: one.interval if isinstance(one, tracks.Tracks) else interval for name, one in given.items()}
-    points = _each(given, lambda name: simulated(runs[name], list(wanted[name].table.index), intervals[name], error))
+    points = each(given, lambda name: simulated(runs[name], list(wanted[name].table.index), intervals[name], error))
     faults += [fault for name, one in points.items() for fault in said(name, size_faults(wanted[name].table, one.values))]
-    if faults:
-        raise ConfigurationError("\n".join(faults))
+    refuse(faults)
     scipy()
 
     def of(names: Mapping[str, list[str]]) -> list[Part]:
-        made = _each([name for name in given if names[name]], lambda name: of_points(points[name].only(names[name]), prior, seed))
+        made = each([name for name in given if names[name]], lambda name: of_points(points[name].only(names[name]), prior, seed))
         return [Part(name, one, wanted[name].only(names[name]), own, given[name]) for name, one in made.items()]
 
     parts = of({name: [one for one in points[name].values if one not in kept[name]] for name in given})
     made = joint(parts, of(kept), seed)
     folders = list(dict.fromkeys(str(one.folder) for part in runs.values() for one in part.studies.values()))
     return replace(made, source={**made.source, "study": ", ".join(folders)}, _like=first_study(study))
-
-
-def _each(conditions: Iterable[str], made: Callable[[str], _Made]) -> dict[str, _Made]:
-    """What is made for each condition; or the faults of all, with the name of the condition."""
-    found, faults = {}, list[str]()
-    for name in conditions:
-        try:
-            found[name] = made(name)
-        except ConfigurationError as error:
-            faults += said(name, str(error).splitlines())
-    if faults:
-        raise ConfigurationError("\n".join(faults))
-    return found
-
-
-def _names(measured: Any, readouts: Any, besides: Any) -> Any:
-    """The read-outs of a condition."""
-    given = measured if isinstance(measured, Mapping) and not isinstance(measured, tracks.Tracks) else {}
-    names = readouts if isinstance(readouts, str) else [*(given if readouts is None else readouts)]
-    return names if isinstance(names, str) else list(dict.fromkeys([*names, *arguments.mapping("besides", besides)]))
 
 
 def _held_back(wanted: Mapping[str, Measurement], given: Sequence[str]) -> dict[str, list[str]]:
@@ -167,14 +144,12 @@ def _held_back(wanted: Mapping[str, Measurement], given: Sequence[str]) -> dict[
               if name not in all_names and not any(name in own for own in names.values())]
     if not faults and kept == names:
         faults = ["held_back: one number is needed that is not held back"]
-    if faults:
-        raise ConfigurationError("\n".join(faults))
+    refuse(faults)
     return kept
 
 
 def of_points(points: Points, prior: Mapping[str, Any] | None = None, seed: int = 1) -> Emulators:
     names, whole = list(points.values.columns), points.whole
-    design = points.parameters if points.design is None else points.design
     parameters, fixed = varied(points.parameters[whole] if whole.any() else points.parameters)
     faults = [f"{name}: is the same in all simulations, {points.values.loc[whole, name].iloc[0]:.4g}: no parameter changes it; leave it out"
               for name in names if whole.sum() > 1 and points.values.loc[whole, name].nunique() == 1]
@@ -184,16 +159,15 @@ def of_points(points: Points, prior: Mapping[str, Any] | None = None, seed: int 
         faults.append(f"{int(whole.sum())} points have all read-outs; {_least_points * len(parameters)} are needed: "
                       f"{_least_points} for each parameter")
         faults += [*points.lacking(), *points.notes]
-    ranges, prior_faults, prior_notes = prior_of(points.parameters.loc[whole, parameters], design[parameters], prior, fixed)
-    if faults + prior_faults:
-        raise ConfigurationError("\n".join(faults + prior_faults))
+    ranges, prior_faults, prior_notes = prior_of(points.parameters.loc[whole, parameters], points.design[parameters], prior, fixed)
+    refuse(faults + prior_faults)
     notes = [*points.notes, *(f"{name}: is {value:.6g} at all points with read-outs, so it is left out: nothing can be said of it"
                               for name, value in fixed.items()), *prior_notes]
     if not whole.all():
         notes.append(f"{int((~whole).sum())} points without all read-outs are left out: {'; '.join(points.lacking())}")
     cube = ranges.to_cube(points.parameters.loc[whole, parameters].to_numpy(float))
-    processes = [Emulator(cube, points.values.loc[whole, name].to_numpy(float), points.runs_of(name)[whole], seed, len(parameters) > _many_parameters)
-                 for name in names]
+    processes = [Emulator(cube, *(table.loc[whole, name].to_numpy(float) for table in (points.values, points.counts)), seed,
+                          len(parameters) > _many_parameters) for name in names]
     notes += [f"{name}: depends on no parameter, as far as the points can tell: it is left out of the likelihood, and so are its Sobol indices"
               for name, process in zip(names, processes, strict=True) if not process.tells]
     return Emulators(ranges, names, processes, points, _sensitivity(names, parameters, processes, seed), notes)

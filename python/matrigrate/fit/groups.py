@@ -10,12 +10,12 @@ import numpy as np
 
 from .. import tracks as _tracks
 from ..base import arguments
-from ..errors import ConfigurationError
+from ..errors import ConfigurationError, refuse
 from ..tracks import motility
 from .conditions import by_condition
 from .emulator import Array
-from .measurement import Measurement, means_of_tracks, measurement
-from .posterior import said
+from .measurement import Measurement, asked_for, means_of_tracks, measurement
+from .posterior import each
 
 _spare = 2  # cells above the number of read-outs
 
@@ -99,8 +99,6 @@ def groups_of(control: Any, treated: Any, readouts: Sequence[str] | None,
     if by_condition(control):
         raise ConfigurationError("control: is one group; give tracks, or numbers with errors: "
                                  "{\"l_prot_um\": (13.1, 0.4)}")
-    if isinstance(readouts, str):
-        raise arguments.wrong("readouts", readouts, "a list of read-outs")
     given = dict(treated) if by_condition(treated) else {"treated": treated}
     if "control" in given:
         raise ConfigurationError("treated: control: is the name of the first group; give this one another name")
@@ -110,29 +108,15 @@ def groups_of(control: Any, treated: Any, readouts: Sequence[str] | None,
     more = dict.fromkeys(given) | dict(arguments.mapping("besides", besides, "a dictionary of numbers by group"))
     faults = [f"besides: {name}: there is no such group; there are {', '.join(given)}"
               for name in more if name not in given]
-    if faults := faults + _alike(given):
-        raise ConfigurationError("\n".join(faults))
-    names = {name: _names(one, readouts, more[name]) for name, one in given.items()}
+    refuse(faults + _alike(given))
+    names = {name: asked_for(one, readouts, more[name]) for name, one in given.items()}
     shared = [name for name in names["control"] if all(name in own for own in names.values())]
     if not shared and any(names.values()):
         raise ConfigurationError("no read-out was measured in all groups: "
                                  + "; ".join(f"{name} has {', '.join(own) or 'none'}" for name, own in names.items()))
     notes = [f"{name}: was not measured in all groups, and is left out"
              for name in dict.fromkeys(sum(names.values(), [])) if name not in shared]
-    found = []
-    for name, one in given.items():
-        try:
-            found.append(_group(name, one, shared, more[name]))
-        except ConfigurationError as error:
-            faults += said(name, str(error).splitlines())
-    if faults:
-        raise ConfigurationError("\n".join(faults))
-    return found, notes
-
-
-def _names(measured: Any, readouts: Sequence[str] | None, besides: Any) -> list[str]:
-    own = [] if isinstance(measured, _tracks.Tracks) else list(measured)
-    return list(dict.fromkeys([*(own if readouts is None else readouts), *arguments.mapping("besides", besides)]))
+    return list(each(given, lambda name: _group(name, given[name], shared, more[name])).values()), notes
 
 
 def _group(name: str, measured: Any, shared: Sequence[str], besides: Any) -> Group:
@@ -145,9 +129,8 @@ def _group(name: str, measured: Any, shared: Sequence[str], besides: Any) -> Gro
                                  "is taken from the cells")
     known = measured if is_tracks else {key: value for key, value in measured.items() if key in shared}
     wanted = measurement(known, shared, numbers)
-    if ranges := [f"{key}: is a range; groups are compared by numbers with errors"
-                  for key, row in wanted.table.iterrows() if row["low"] < row["high"]]:
-        raise ConfigurationError("\n".join(ranges))
+    refuse([f"{key}: is a range; groups are compared by numbers with errors"
+            for key, row in wanted.table.iterrows() if row["low"] < row["high"]])
     at = [list(shared).index(key) for key in own]
     cells, others = (np.full((len(measured) if own else 0, len(shared)), np.nan) for _ in range(2))
     for k, cell in enumerate(measured if own else ()):

@@ -3,7 +3,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -12,10 +12,9 @@ from .. import tracks as _tracks
 from ..base import arguments
 from ..base.files import require_pandas
 from ..base.load_core import core
-from ..errors import ConfigurationError
-from ..results.studies import Study
+from ..errors import ConfigurationError, refuse
 from ..tracks import motility
-from .conditions import Runs, require_study, runs_of
+from .conditions import Runs
 
 if TYPE_CHECKING:
     import pandas
@@ -49,22 +48,17 @@ class Points:
 
     parameters: pandas.DataFrame
     values: pandas.DataFrame  #: a column a read-out; NaN where it is not defined
-    runs: np.ndarray[Any, Any]  #: that are done
+    counts: pandas.DataFrame  #: as ``values``: of how many runs each is the mean
+    runs: int  #: that are done, at the point with the fewest
     positions: int  #: of a track, median; 0 if no read-out is one of tracks
     notes: list[str]
-    tracks: list[_tracks.Tracks] = field(default_factory=list)  #: of each point; none if no read-out is one of tracks
-    design: pandas.DataFrame | None = None  #: parameters of all points of the study, whatever became of their runs
-    counts: pandas.DataFrame | None = None  #: as ``values``: of how many runs each is the mean; if left out, of all
+    tracks: list[_tracks.Tracks]  #: of each point; none if no read-out is one of tracks
+    design: pandas.DataFrame  #: parameters of all points of the study, whatever became of their runs
 
-    def runs_of(self, name: str) -> np.ndarray[Any, Any]:
-        """How many runs have a read-out, at each point."""
-        return self.runs if self.counts is None else self.counts[name].to_numpy(float)
-
-    def only(self, names: Sequence[str]) -> Points:
+    def only(self, names: list[str]) -> Points:
         """With some of the read-outs."""
-        counts = None if self.counts is None else self.counts[list(names)]
         own = [note for note in self.notes if note.partition(": ")[0] in names or note.partition(": ")[0] not in self.values]
-        return replace(self, values=self.values[list(names)], counts=counts, notes=own)
+        return replace(self, values=self.values[names], counts=self.counts[names], notes=own)
 
     @property
     def whole(self) -> np.ndarray[Any, Any]:
@@ -88,6 +82,14 @@ Means = Mapping[str, tuple[float | tuple[float, float], float]]
 """By the name of a read-out its mean, or the two ends of a range, and the standard error."""
 
 
+def asked_for(measured: Any, readouts: Sequence[str] | None, besides: Means | None) -> list[str]:
+    """The names of read-outs; those of published means if left out."""
+    if isinstance(readouts, str):
+        raise arguments.wrong("readouts", readouts, "a list of read-outs")
+    own = measured if isinstance(measured, Mapping) and not isinstance(measured, _tracks.Tracks) else []
+    return list(dict.fromkeys([*(own if readouts is None else readouts), *arguments.mapping("besides", besides)]))
+
+
 def measurement(measured: _tracks.Tracks | Means, names: Sequence[str], besides: Means | None = None) -> Measurement:
     """:param measured: tracks, or by the name of a read-out its mean, or range, and standard error
     :param names: of the read-outs
@@ -99,12 +101,9 @@ def measurement(measured: _tracks.Tracks | Means, names: Sequence[str], besides:
     if is_tracks:
         core()  # without it there is no read-out of tracks: it says so
     arguments.mapping("besides", besides, "a dictionary of means and standard errors")
-    if isinstance(names, str):
-        raise arguments.wrong("readouts", names, "a list of read-outs")
     means = dict(besides or {}) if is_tracks else {**measured, **(besides or {})}
-    if odd := [f"{name}: {value!r} is no mean with its standard error; write {{\"{name}\": (14.4, 4.8)}}, or ((12, 16), 4.8) of a range"
-               for name, value in means.items() if not _is_measured(value)]:
-        raise ConfigurationError("\n".join(odd))
+    refuse([f"{name}: {value!r} is no mean with its standard error; write {{\"{name}\": (14.4, 4.8)}}, or ((12, 16), 4.8) of a range"
+            for name, value in means.items() if not _is_measured(value)])
     rows = {name: _row(value, error) for name, (value, error) in means.items()}
     table = require_pandas().DataFrame.from_dict(rows, orient="index", columns=["value", "standard_error", "low", "high"], dtype=float)
     own = [name for name in names if name in motility.meanings() and name not in means] if is_tracks else []
@@ -121,8 +120,7 @@ def measurement(measured: _tracks.Tracks | Means, names: Sequence[str], besides:
     faults += _faults(table.loc[[name for name in names if name not in lacking]], measured)
     if not names:
         faults.append("one read-out is needed, such as readouts=[\"speed_um_per_h\", \"straightness\"]" + known)
-    if faults:
-        raise ConfigurationError("\n".join(faults))
+    refuse(faults)
     table = table.loc[list(names)]
     with np.errstate(over="ignore"):  # errors that tell nothing are faults later, beside what was simulated
         covariance = np.diag(table["standard_error"].to_numpy(float)**2)
@@ -204,27 +202,24 @@ def lost(results: pandas.DataFrame) -> list[str]:
     return notes
 
 
-def simulated(study: Study | Runs, names: Sequence[str], interval: float | None, error: float = 0.0) -> Points:
+def simulated(runs: Runs, names: Sequence[str], interval: float | None, error: float = 0.0) -> Points:
     """The read-outs of all points with runs that are done: those of tracks from all tracks of a point, others as the mean
     of its runs.
 
     :param interval: [s] between positions of the measured tracks; none: a read-out that the runs have themselves is theirs
     :param error: localisation error of a coordinate [um], added to the simulated tracks
     """
-    if not isinstance(study, Runs):
-        require_study(study)
     if isinstance(names, str):
         raise arguments.wrong("readouts", names, "a list of read-outs")
     if not 0 <= error < float("inf"):
         raise ConfigurationError(f"error: {error:g} um is no localisation error")
-    runs = study if isinstance(study, Runs) else runs_of(study, [], [])[""]
     if interval is not None:
         core()  # as above
     known, results = runs.readouts, runs.table
     of_tracks = [name for name in names if name in motility.meanings() and (interval is not None and runs.studies or name not in known)]
     of_runs = [name for name in names if name not in of_tracks]
     _require_numbers(runs, of_tracks, of_runs, interval)
-    rows, points, counts, done, all_seen = [], [], [], [], list[_tracks.Tracks]()
+    rows, points, counts, done, all_seen, positions = [], [], [], [], list[_tracks.Tracks](), list[int]()
     for _, of_point in results[results["status"] == "done"].groupby("point", sort=False):
         own = of_point[of_runs].where(np.isfinite(of_point[of_runs].astype(float)))
         row = dict(own.mean())
@@ -234,20 +229,20 @@ def simulated(study: Study | Runs, names: Sequence[str], interval: float | None,
             seen = _tracks.Tracks(cells, interval or 1.0, [])
             seen = seen.with_error(error, seed=len(rows) + 1) if error > 0 else seen
             all_seen.append(seen)
+            positions += map(len, seen.values())
             row |= dict(seen.readouts(resamples=0)["value"][of_tracks])
         rows.append(row)
         points.append(of_point[runs.parameters].iloc[0])
         counts.append(dict.fromkeys(of_tracks, len(of_point)) | dict(own.count()))
         done.append(len(of_point))
-    lengths = [len(track) for seen in all_seen for track in seen.values()]
     frame = require_pandas().DataFrame
     of_all = frame(counts, columns=list(names))
     notes = [f"{name}: {int(few)} of {sum(done)} runs that are done do not have it; their points have the mean of the others, or none"
              for name, few in (sum(done) - of_all.sum()).items() if few > 0]
     if error > 0 and not of_tracks:
         notes.append(f"error: {error:g} um is not added: no read-out is computed from simulated tracks")
-    return Points(frame(points, columns=runs.parameters).reset_index(drop=True), frame(rows, columns=list(names)).reset_index(drop=True),
-                  np.array(done, dtype=float), int(np.median(lengths)) if lengths else 0, [*lost(results), *notes], all_seen, runs.design, of_all)
+    return Points(frame(points, columns=runs.parameters).reset_index(drop=True), frame(rows, columns=list(names)), of_all, min(done, default=0),
+                  int(np.median(positions)) if positions else 0, [*lost(results), *notes], all_seen, runs.design)
 
 
 def _require_numbers(runs: Runs, of_tracks: Sequence[str], of_runs: Sequence[str], interval: float | None) -> None:
@@ -262,17 +257,15 @@ def _require_numbers(runs: Runs, of_tracks: Sequence[str], of_runs: Sequence[str
         faults.append("interval: that of the measured tracks is needed [s]: speed, ratios and angles depend on it")
     if not (of_tracks or of_runs):
         faults.append("one read-out is needed")
-    if faults:
-        raise ConfigurationError("\n".join(faults))
+    refuse(faults)
 
 
 def differences(points: Points, wanted: Measurement) -> list[str]:
     """In what simulated and measured tracks differ, where a read-out depends on it."""
     notes = []
-    few = int(points.runs.min(initial=0))
     biased = [name for name in wanted.table.index if name in motility.meanings() and name not in means_of_tracks]
-    if biased and few != wanted.cells:
-        notes.append(f"{', '.join(biased)}: depends on the number of tracks; a point has {few}, "
+    if biased and points.runs != wanted.cells:
+        notes.append(f"{', '.join(biased)}: depends on the number of tracks; a point has {points.runs}, "
                      + (f"{wanted.cells} were measured" if wanted.cells else "give it as many as were measured"))
     if points.positions and wanted.positions and abs(points.positions - wanted.positions) > 0.1 * wanted.positions:
         notes.append(f"measured tracks have {wanted.positions} positions, simulated ones {points.positions}: ratios and slopes "

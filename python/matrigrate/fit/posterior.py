@@ -2,11 +2,11 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from itertools import combinations
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, TypeVar
 
 import numpy as np
 
@@ -14,7 +14,7 @@ from .. import tracks as _tracks
 from ..base import arguments
 from ..base.files import require_pandas, make_folder, unit_of
 from ..draw import words
-from ..errors import ConfigurationError
+from ..errors import ConfigurationError, refuse
 from ..results.studies import Study
 from . import emulator as _emulator, space
 from .emulator import Array, Emulator, Prior
@@ -27,6 +27,7 @@ if TYPE_CHECKING:
 
 constrained_width = 0.8  #: of the 90 % interval of the prior: a wider one is not called constrained
 _implausible = 3.0
+_Made = TypeVar("_Made")
 
 
 @dataclass(frozen=True)
@@ -181,6 +182,18 @@ class Part:
 
 def said(condition: str, lines: Iterable[str]) -> list[str]:
     return [f"{condition}: {line}" if condition else line for line in lines]
+
+
+def each(conditions: Iterable[str], made: Callable[[str], _Made]) -> dict[str, _Made]:
+    """What is made for each condition; or the faults of all, with the name of the condition."""
+    found, faults = {}, list[str]()
+    for name in conditions:
+        try:
+            found[name] = made(name)
+        except ConfigurationError as error:
+            faults += said(name, str(error).splitlines())
+    refuse(faults)
+    return found
 
 
 def joint(parts: list[Part], held: list[Part], seed: int) -> Fit:

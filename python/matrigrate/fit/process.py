@@ -6,6 +6,8 @@ from typing import Any
 
 import numpy as np
 
+from ..base.load_core import library
+
 Array = np.ndarray[Any, np.dtype[np.float64]]
 
 _constant = 1.0  # variance of the mean of a process, of values with variance 1
@@ -18,11 +20,7 @@ _deep = 2  # members whose variance is asked for
 
 
 def scipy() -> Any:
-    try:
-        from scipy import linalg, optimize
-    except ImportError:
-        raise ImportError("an emulator needs SciPy: apt install python3-scipy, or pip install scipy") from None
-    return linalg, optimize
+    return library("scipy", "an emulator needs SciPy")
 
 
 @dataclass(frozen=True)
@@ -90,7 +88,7 @@ class _Likelihood:
 
     def __call__(self, place: Array) -> tuple[float, Array]:
         """Minus the logarithm of the posterior of a setting, and its slopes."""
-        linalg, _ = scipy()
+        linalg = scipy().linalg
         n, d = self.cube.shape
         at = self.setting(place)
         smooth = at.smooth * np.exp(-0.5 * (at.reach @ self._apart)).reshape(n, n)
@@ -108,7 +106,7 @@ class _Likelihood:
 
     def value(self, place: Array) -> float:
         """As the call, without slopes."""
-        linalg, _ = scipy()
+        linalg = scipy().linalg
         at = self.setting(place)
         n = len(self.y)
         smooth = at.smooth * np.exp(-0.5 * (at.reach @ self._apart)).reshape(n, n)
@@ -130,7 +128,7 @@ class Process:
 
     def __init__(self, cube: Array, y: Array, runs: Array, seed: int, linear: bool, like: Process | None = None) -> None:
         """:param like: of more points: the search begins at its best setting, and draws about it as widely; the weights are of these points"""
-        linalg, _ = scipy()
+        linalg = scipy().linalg
         self._cube, self._runs = cube, runs
         likelihood = _Likelihood(cube, y, runs, linear)
         self.best = _best(likelihood, np.zeros(likelihood.many) if like is None else like.best)
@@ -156,7 +154,7 @@ class Process:
             with_points = setting.covariance(self._cube, cube.reshape(-1, parameters))
             means.append(weights @ with_points)
             if k in deep:
-                half = scipy()[0].solve_triangular(root, with_points, lower=True, check_finite=False, overwrite_b=True)
+                half = scipy().linalg.solve_triangular(root, with_points, lower=True, check_finite=False, overwrite_b=True)
                 half = half.reshape(-1, points, sets)
                 offs.append([setting.between(cube[i], cube[j]) - np.einsum("ij,ij->j", half[:, i], half[:, j])
                              for i, j in pairs])
@@ -178,7 +176,7 @@ class Process:
     def drawn(self, cube: Array, draws: int, random: np.random.Generator) -> Array:
         """Functions that the values allow, a row each: drawn without the values, from waves (Rahimi and Recht 2007, NIPS 20), then moved to where
         the values want them (Wilson et al. 2020, ICML 37)."""
-        linalg, _ = scipy()
+        linalg = scipy().linalg
         both, rows = np.concatenate([cube, self._cube]), []
         ends = np.rint(draws * np.cumsum([share for _, share, *_ in self._members])).astype(int)
         for many, (setting, _, root, weights) in zip(np.diff(ends, prepend=0), self._members, strict=True):
@@ -194,7 +192,7 @@ class Process:
 
 def _best(likelihood: _Likelihood, begin: Array) -> Array:
     """The setting with the highest posterior."""
-    return np.asarray(scipy()[1].minimize(likelihood, begin, jac=True, method="L-BFGS-B", bounds=[(-6.0, 6.0)] * likelihood.many,
+    return np.asarray(scipy().optimize.minimize(likelihood, begin, jac=True, method="L-BFGS-B", bounds=[(-6.0, 6.0)] * likelihood.many,
                                           options={"maxiter": 60, "ftol": 1e-7}).x)
 
 

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 from ..base import arguments, program
 from ..base.files import read_text
 from ..draw import words
-from ..errors import ConfigurationError, InputOutputError
+from ..errors import InputOutputError, refuse
 from ..results.studies import Study
 from ..scenario import constants, schema
 
@@ -31,9 +31,8 @@ def write_points(file: Path, points: pandas.DataFrame, like: Study | str | os.Pa
     text = read_text(source)
     varied = list(_varied(tomllib.loads(text)))
     named = {column: _parameter(column, varied) for column in points}
-    if unknown := [f"{column}: is no parameter of the program; the next wave is written of a fit whose columns are named as in the tables of a study"
-                   for column, known in named.items() if known is None]:
-        raise ConfigurationError("\n".join(unknown))
+    refuse([f"{column}: is no parameter of the program; the next wave is written of a fit whose columns are named as in the tables of a study"
+            for column, known in named.items() if known is None])
     text = _without_points(text, source.parent, file.parent)
     first = _next_wave(text)
     for k, row in enumerate(points.to_dict("records"), 1):

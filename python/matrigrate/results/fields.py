@@ -11,6 +11,7 @@ import numpy as np
 
 from ..base import arguments
 from ..base.files import require_pandas
+from ..base.load_core import library
 from ..errors import InputOutputError
 
 if TYPE_CHECKING:
@@ -124,10 +125,7 @@ class Fields(Mapping[str, Field]):
 
     def xarray(self) -> xarray.Dataset:
         """All frames as one data set with the coordinate ``time`` [s], units in the attributes. Needs xarray."""
-        try:
-            import xarray
-        except ImportError:
-            raise ImportError("Fields.xarray needs xarray: apt install python3-xarray, or pip install xarray") from None
+        xarray = library("xarray", "Fields.xarray needs xarray")
         arrays = {}
         for name, field in self._fields.items():
             body = name.split("/")[0]
@@ -168,10 +166,7 @@ class Fields(Mapping[str, Field]):
 @contextmanager
 def _opened(path: Path) -> Iterator[Any]:
     """The file in h5py, whose errors become ours."""
-    try:
-        import h5py
-    except ImportError:
-        raise ImportError("fields need h5py: apt install python3-h5py, or pip install h5py") from None
+    h5py = library("h5py", "fields need h5py")
     if not path.is_file():
         raise InputOutputError(f"{path}: there is no such file", path.parent)
     try:

@@ -22,7 +22,7 @@ import numpy as np
 from ..base import arguments
 from ..base.files import require_pandas, unit_of
 from ..base.load_core import core
-from ..errors import ConfigurationError
+from ..errors import ConfigurationError, refuse
 from ..results.results import Run
 from ..results.studies import Study
 from . import motility, reader as _track_reader
@@ -182,10 +182,9 @@ class Tracks(Mapping[str, Any]):
 
     @cached_property
     def _parts(self) -> _core.TrackParts:
-        far = [name for name, track in self.items() if not np.nanmax(np.abs(track), initial=0.0) <= motility.farthest]
-        if far:
-            raise ConfigurationError("\n".join(f"track {name}: positions reach {np.nanmax(np.abs(self[name])):.3g} um; read-outs "
-                                               f"are defined up to {motility.farthest:g} um (pixel)" for name in far))
+        reach = {name: np.nanmax(np.abs(track), initial=0.0) for name, track in self.items()}
+        refuse([f"track {name}: positions reach {far:.3g} um; read-outs are defined up to {motility.farthest:g} um (pixel)"
+                for name, far in reach.items() if not far <= motility.farthest])
         parts: _core.TrackParts = core().TrackParts(list(self.values()), self.interval)
         return parts
 
