@@ -44,7 +44,8 @@ def python_pages(root: pathlib.Path) -> dict[str, str]:
 def _python_entry(full: str, name: str, thing: object) -> str:
     parts = [f"### {name}\n", f"```python\n{_signature(full, thing)}\n```\n", _markdown(_own_doc(thing)) + "\n"]
     if inspect.isclass(thing):
-        for member, value in vars(thing).items():
+        own = (one for one in reversed(thing.__mro__) if one is thing or one.__name__.startswith("_"))  # and of bases without a page
+        for member, value in {name: value for one in own for name, value in vars(one).items()}.items():
             if member.startswith("_"):
                 continue
             called = value.__func__ if isinstance(value, (classmethod, staticmethod)) else value

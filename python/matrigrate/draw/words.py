@@ -93,16 +93,11 @@ def at(readout: str, condition: str) -> str:
     return f"{readout} at {condition}" if condition else readout
 
 
-@functools.cache
-def _labels() -> dict[str, dict[str, Any]]:
-    return {row["name"]: row for row in schema.table("readouts.json")}
-
-
 def symbol(column: str) -> str:
     """The paper's symbol of a read-out or parameter as it is typed; "" if it has none."""
     if parameter := parameter_of(column):
         return _greek.get(parameter.symbol, parameter.symbol)
-    label = _labels().get(column, {}).get("label", "")
+    label = results.readout_table().get(column, {}).get("label", "")
     return label if _symbol.fullmatch(label) else ""
 
 
@@ -110,13 +105,12 @@ def words(column: str) -> str:
     """A read-out or a parameter in words."""
     if parameter := parameter_of(column):
         return noun(parameter)
-    if column in _labels():
-        return results.meaning(column)
-    return motility.meanings().get(column, column.replace("_", " "))
+    known = motility.meanings() | {name: row["meaning"] for name, row in results.readout_table().items()}
+    return known.get(column, column.replace("_", " "))
 
 
 def unit(column: str) -> str:
-    return shown_unit(_labels()[column]["unit"] if column in _labels() else unit_of(column))
+    return shown_unit(results.readout_table().get(column, {"unit": unit_of(column)})["unit"])
 
 
 def title(column: str) -> str:

@@ -2,7 +2,6 @@
 from __future__ import annotations
 
 import functools
-from collections.abc import Iterator, Mapping
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -61,22 +60,14 @@ class CellOfRun:
         return rows
 
 
-class CellsOfRun(Mapping[int, CellOfRun]):
+class CellsOfRun(dict[int, CellOfRun]):
     """The cells of a run by their numbers, from 1."""
 
     def __init__(self, run: Run) -> None:
-        self._cells = {int(number): CellOfRun(run, int(number)) for number in run.tracks["track"].unique()}
+        super().__init__((number, CellOfRun(run, number)) for number in map(int, run.tracks["track"].unique()))
 
-    def __getitem__(self, number: int) -> CellOfRun:
-        if number not in self._cells:
-            raise KeyError(f"{number}; the cells are {', '.join(map(str, self._cells))}")
-        return self._cells[number]
-
-    def __iter__(self) -> Iterator[int]:
-        return iter(self._cells)
-
-    def __len__(self) -> int:
-        return len(self._cells)
+    def __missing__(self, number: int) -> CellOfRun:
+        raise KeyError(f"{number}; the cells are {', '.join(map(str, self))}")
 
     def __repr__(self) -> str:
-        return f"CellsOfRun({len(self)}: {', '.join(map(str, self._cells))})"
+        return f"CellsOfRun({len(self)}: {', '.join(map(str, self))})"

@@ -8,7 +8,7 @@ import io
 import math
 import os
 import tomllib
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, overload
 
@@ -36,14 +36,9 @@ except ImportError:
 
 
 @functools.cache
-def _known() -> dict[str, dict[str, Any]]:
+def readout_table() -> dict[str, dict[str, Any]]:
+    """The rows of docs/readouts.json by the names of read-outs."""
     return {entry["name"]: entry for entry in table("readouts.json")}
-
-
-def _is_shown(name: str, values: Iterable[float]) -> bool:
-    """True if a read-out is printed: read-outs of uniaxial fibres and of several cells are printed only if a cell has a value."""
-    known = _known().get(name, {})
-    return not (known.get("of_uniaxial_fibres") or known.get("of_several_cells")) or not all(math.isnan(value) for value in values)
 
 
 def meaning(readout: str) -> str:
@@ -52,40 +47,23 @@ def meaning(readout: str) -> str:
     >>> meaning("tau_prot_min")
     'lifetime of a mature adhesion, mean'
     """
-    return _known()[readout]["meaning"] if readout in _known() else readout
+    return readout_table().get(readout, {}).get("meaning", readout)
 
 
-class Readouts(Mapping[str, float]):
-    """The read-outs of a run by their names, also as attributes; NaN where one is not defined.
+class _Named(Mapping[Any, Any]):
+    """What one cell and several have: values by the names of read-outs, with units and meanings."""
 
-    >>> readouts = Readouts({"v_migr_abs_um_per_h": 5.25, "f_mat": None})
-    >>> readouts.v_migr_abs_um_per_h
-    5.25
-    >>> readouts.unit("v_migr_abs_um_per_h"), readouts["f_mat"]
-    ('um/h', nan)
-    """
+    @property
+    def names(self) -> list[str]:
+        return list(self)
 
-    def __init__(self, values: Mapping[str, Any]) -> None:
-        arguments.mapping("values", values, "a dictionary of read-outs")
-        self._values: dict[str, float] = {name: float("nan") if value is None else value
-                                          for name, value in values.items()}
-
-    def __getitem__(self, name: str) -> float:
-        return self._values[name]
-
-    def __iter__(self) -> Iterator[str]:
-        return iter(self._values)
-
-    def __len__(self) -> int:
-        return len(self._values)
-
-    def __getattr__(self, name: str) -> float:
-        if name.startswith("_") or name not in self._values:
+    def __getattr__(self, name: str) -> Any:
+        if name.startswith("_") or name not in self.names:
             raise AttributeError(f"there is no read-out {name}")
-        return self._values[name]
+        return self[name]
 
     def __dir__(self) -> list[str]:
-        return [*self._values, "unit", "meaning"]
+        return [*self.names, "names", "unit", "meaning"]
 
     def unit(self, name: str) -> str:
         """The unit of a read-out, such as "um/h"; "1" of counts and ratios."""
@@ -97,12 +75,37 @@ class Readouts(Mapping[str, float]):
         self[name]
         return meaning(name)
 
+    def _lines(self) -> list[str]:
+        """A line for each read-out; those of uniaxial fibres and of several cells only if a cell has a value."""
+        lines = []
+        for name in self.names:
+            known, values = readout_table().get(name, {}), np.atleast_1d(self[name])
+            if (known.get("of_uniaxial_fibres") or known.get("of_several_cells")) and all(map(math.isnan, values)):
+                continue
+            unit = unit_of(name) if unit_of(name) != "1" else ""
+            lines.append(f"{name:<26}{''.join(f'{value:>12.4g}' for value in values)} {unit:<6} {meaning(name)}")
+        return lines
+
+
+class Readouts(dict[str, float], _Named):
+    """The read-outs of a run by their names, also as attributes; NaN where one is not defined.
+
+    >>> readouts = Readouts({"v_migr_abs_um_per_h": 5.25, "f_mat": None})
+    >>> readouts.v_migr_abs_um_per_h
+    5.25
+    >>> readouts.unit("v_migr_abs_um_per_h"), readouts["f_mat"]
+    ('um/h', nan)
+    """
+
+    def __init__(self, values: Mapping[str, Any]) -> None:
+        arguments.mapping("values", values, "a dictionary of read-outs")
+        super().__init__({name: math.nan if value is None else value for name, value in values.items()})
+
     def __repr__(self) -> str:
-        return "\n".join(f"{name:<26}{value:>12.4g} {unit_of(name) if unit_of(name) != '1' else '':<6} {meaning(name)}"
-                         for name, value in self._values.items() if _is_shown(name, [value]))
+        return "\n".join(self._lines())
 
 
-class ReadoutsOfCells(Mapping[int, Readouts]):
+class ReadoutsOfCells(_Named):
     """The read-outs of a run of several cells: by the number of a cell, from 1, the read-outs of one cell; by the name of a
     read-out, also as an attribute, an array with its value of each cell in their order.
 
@@ -138,32 +141,8 @@ class ReadoutsOfCells(Mapping[int, Readouts]):
         """The names of the read-outs."""
         return list(next(iter(self._cells.values()), {}))
 
-    def __getattr__(self, name: str) -> np.ndarray[Any, Any]:
-        if name.startswith("_") or name not in self.names:
-            raise AttributeError(f"there is no read-out {name}")
-        return self[name]
-
-    def __dir__(self) -> list[str]:
-        return [*self.names, "names", "unit", "meaning"]
-
-    def unit(self, name: str) -> str:
-        """The unit of a read-out, such as "um/h"; "1" of counts and ratios."""
-        self[name]
-        return unit_of(name)
-
-    def meaning(self, name: str) -> str:
-        """The meaning of a read-out, in words."""
-        self[name]
-        return meaning(name)
-
     def __repr__(self) -> str:
-        rows = [" " * 26 + "".join(f"{f'cell {number}':>12}" for number in self._cells)]
-        for name in self.names:
-            if not _is_shown(name, self[name]):
-                continue
-            unit = unit_of(name) if unit_of(name) != "1" else ""
-            rows.append(f"{name:<26}{''.join(f'{value:>12.4g}' for value in self[name])} {unit:<6} {meaning(name)}")
-        return "\n".join(rows)
+        return "\n".join([" " * 26 + "".join(f"{f'cell {number}':>12}" for number in self._cells), *self._lines()])
 
 
 class Run:
@@ -286,7 +265,7 @@ class Run:
         readouts = self.readouts
         if not isinstance(readouts, ReadoutsOfCells):
             raise InputOutputError(f"{self.folder}: has no read-outs of several cells: it is a run of one", self.folder)
-        names = [name for name, entry in _known().items() if entry["of_several_cells"]]
+        names = [name for name, entry in readout_table().items() if entry["of_several_cells"]]
         if not set(names) <= set(readouts.names):
             raise InputOutputError(f"{self.folder}: summary.json has no {', '.join(names)}; results.csv of a study has them", self.folder)
         defined = {name: [value for value in readouts[name] if not math.isnan(value)] for name in names}
