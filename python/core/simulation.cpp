@@ -200,6 +200,8 @@ public:
   }
 
 private:
+  using Doubles = py::array_t<double, py::array::c_style | py::array::forcecast>;
+
   static constexpr const char* while_it_computes =
       "while this simulation computes: wait until advance has returned, in whatever thread it was called";
 
@@ -207,8 +209,6 @@ private:
   class Set {
   public:
     explicit Set(bool& flag, bool to = true) : m_flag(flag), m_to(to) { m_flag = m_to; }
-    Set(const Set&) = delete;
-    Set& operator=(const Set&) = delete;
     ~Set() { m_flag = !m_to; }
 
   private:
@@ -222,8 +222,6 @@ private:
     class Taken {
     public:
       explicit Taken(Unlocked& unlocked) : m_unlocked(unlocked) { m_unlocked.take(); }
-      Taken(const Taken&) = delete;
-      Taken& operator=(const Taken&) = delete;
       ~Taken() { m_unlocked.give(); }
 
     private:
@@ -271,14 +269,20 @@ private:
   /// As Python writes it.
   static std::string text_of(double value) { return py::str(py::float_(value)); }
 
+  /// What a function of the user's returned. @param what  for messages: "force"
+  static Doubles array_of(const py::object& returned, const py::tuple& shape, const std::string& what) {
+    const auto array = Doubles::ensure(returned);
+    if (!array || !py::tuple(array.attr("shape")).equal(shape)) {
+      PyErr_Clear();
+      throw py::value_error(what + " must return an array of shape " + std::string(py::repr(shape)) + ", or None");
+    }
+    return array;
+  }
+
   /// What a cue returned for a cell of n particles.
   static std::vector<double> factors(const py::object& returned, std::size_t n) {
     if (returned.is_none()) return {};
-    const auto array = py::array_t<double, py::array::c_style | py::array::forcecast>::ensure(returned);
-    if (!array || array.ndim() != 1 || array.shape(0) != static_cast<py::ssize_t>(n)) {
-      PyErr_Clear();
-      throw py::value_error("cue must return an array of shape (" + std::to_string(n) + ",), or None");
-    }
+    const Doubles array = array_of(returned, py::make_tuple(n), "cue");
     std::vector<double> values(array.data(), array.data() + n);
     for (std::size_t i = 0; i < n; ++i)
       if (!(values[i] >= 0.0 && std::isfinite(values[i])))
@@ -288,21 +292,15 @@ private:
   }
 
   /// Adds an array of Python to the forces of nodes. @param what  for messages: "force"
-  static void add(const py::object& returned, std::span<Vec2> forces, const char* what) {
+  static void add(const py::object& returned, std::span<Vec2> forces, const std::string& what) {
     if (returned.is_none()) return;
-    const auto array = py::array_t<double, py::array::c_style | py::array::forcecast>::ensure(returned);
-    if (!array || array.ndim() != 2 || array.shape(1) != 2
-        || array.shape(0) != static_cast<py::ssize_t>(forces.size())) {
-      PyErr_Clear();
-      throw py::value_error(std::string(what) + " must return an array of shape (" + std::to_string(forces.size())
-                            + ", 2), or None");
-    }
+    const Doubles array = array_of(returned, py::make_tuple(forces.size(), 2), what);
     const double* values = array.data();
     for (std::size_t i = 0; i < forces.size(); ++i) {
       const Vec2 force(values[2 * i], values[2 * i + 1]);
       if (!force.allFinite())
-        throw py::value_error(std::string(what) + " must return finite forces, and that of particle "
-                              + std::to_string(i) + " is " + text_of(std::isfinite(force.x()) ? force.y() : force.x()));
+        throw py::value_error(what + " must return finite forces, and that of particle " + std::to_string(i) + " is "
+                              + text_of(std::isfinite(force.x()) ? force.y() : force.x()));
       forces[i] += force;
     }
   }
@@ -368,10 +366,6 @@ void translate(std::exception_ptr thrown) {
   }
 }
 
-std::string closures_in(const std::string& text, const std::string& name) {
-  return closures_text(closures_of(parse_parameters(text, name)));
-}
-
 /// Of a value of laws.constants in TOML, after constants that are set alone: all in one text; name, number in the unit
 /// of the row, unit, what is allowed, and value of each.
 std::pair<std::string, py::list> constants_of_laws(const std::string& value, const std::vector<std::string>& alone) {
@@ -385,15 +379,6 @@ std::pair<std::string, py::list> constants_of_laws(const std::string& value, con
   return {constants_text(p), all};
 }
 
-void add_scenarios(py::module_& module) {
-  module.def("judged", &judged_value);
-  module.def("unknown_name", &unknown_name);
-  module.def("closures", &closures_in);
-  module.def("constants", &constants_of_laws);
-}
-
-std::string closures_here(const SteppedSimulation& s) { return closures_text(closures_of(s.parameters())); }
-
 } // namespace
 
 /// Adds the read-outs of tracks (tracks.cpp): TrackParts, and track_readouts, pairs of name and meaning.
@@ -406,7 +391,12 @@ PYBIND11_MODULE(_core, module) {
   module.doc() = "Values that are judged, a simulation that is stepped from Python, and tracks.";
   py::register_exception_translator(&translate);
   py::module_::import("atexit").attr("register")(py::cpp_function(&end_marches));
-  add_scenarios(module);
+  module.def("judged", &judged_value);
+  module.def("unknown_name", &unknown_name);
+  module.def("closures", [](const std::string& text, const std::string& name) {
+    return closures_text(closures_of(parse_parameters(text, name)));
+  });
+  module.def("constants", &constants_of_laws);
   add_tracks(module);
   const auto of = [](const py::object& self) -> const State& { return self.cast<const SteppedSimulation&>().state(); };
   const auto cell = [of](const py::object& self, std::size_t k) -> const Cell& {
@@ -431,7 +421,8 @@ PYBIND11_MODULE(_core, module) {
       .def_property_readonly("step_count", [](const SteppedSimulation& s) { return s.state().step; })
       .def_property_readonly("duration", [](const SteppedSimulation& s) { return s.parameters().run.duration; })
       .def_property_readonly("failure", &SteppedSimulation::failure)
-      .def_property_readonly("closures", &closures_here)
+      .def_property_readonly("closures",
+                             [](const SteppedSimulation& s) { return closures_text(closures_of(s.parameters())); })
       .def_property_readonly("cell_count", [](const SteppedSimulation& s) { return s.state().cells.size(); })
       .def("matrix_x", [of](const py::object& self) { return vectors(of(self).ecm.x, self); })
       .def("matrix_X", [of](const py::object& self) { return vectors(of(self).ecm.X, self); })

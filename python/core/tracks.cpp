@@ -13,7 +13,6 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <numeric>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -78,15 +77,13 @@ std::vector<Positions> positions_of(const tracks::Tracks& all) {
 
 /// The drift [um], one row an interval from the first start [s] on.
 Positions drift_of(const std::vector<Positions>& positions, const std::vector<double>& starts, double interval) {
-  tracks::Drift drift = tracks::drift_of(tracks_of(positions, starts, interval));
-  tracks::Tracks path;
-  path.tracks.push_back({.name = {},
-                         .start = 0.0,
-                         .k = std::vector<std::size_t>(drift.x.size()),
-                         .x = std::move(drift.x),
-                         .y = std::move(drift.y)});
-  std::iota(path.tracks[0].k.begin(), path.tracks[0].k.end(), std::size_t{0});
-  return positions_of(path).front();
+  const tracks::Drift drift = tracks::drift_of(tracks_of(positions, starts, interval));
+  Positions path({static_cast<py::ssize_t>(drift.x.size()), py::ssize_t{2}});
+  for (py::ssize_t k = 0; k < path.shape(0); ++k) {
+    path.mutable_at(k, 0) = drift.x[static_cast<std::size_t>(k)];
+    path.mutable_at(k, 1) = drift.y[static_cast<std::size_t>(k)];
+  }
+  return path;
 }
 
 std::pair<std::vector<Positions>, std::string> without_drift(const std::vector<Positions>& positions,
