@@ -179,11 +179,11 @@ class Limits(unittest.TestCase):
         def off(cube):
             return np.abs(cube - 0.3).max(axis=1)
         cube = np.random.default_rng(1).random((12000, 6))
-        region = space.below(off, 0.05, cube, off(cube))
+        region = space.below(off, 0.05, cube, off(cube), 1)
         self.assertLess(abs(math.log(region.share / 1e-6)), math.log(1.8))
         np.testing.assert_allclose(region.sample.mean(axis=0), 0.3, atol=0.006)
         np.testing.assert_allclose(region.sample.std(axis=0), 0.1 / math.sqrt(12), rtol=0.15)
-        nothing = space.below(lambda at: 1 + off(at), 0.9, cube, 1 + off(cube))
+        nothing = space.below(lambda at: 1 + off(at), 0.9, cube, 1 + off(cube), 1)
         self.assertEqual((len(nothing.sample), nothing.share), (0, 0.0))
 
 

@@ -81,7 +81,7 @@ class OfAKnownModel(unittest.TestCase):
 
     def test_scatter_and_quality_of_emulators(self):
         speed = self.emulators.processes[0]
-        low, high = speed.scatter(np.array([[0.1, 0.5, 0.5], [0.9, 0.5, 0.5]]))
+        low, high = np.sqrt(speed._process.of_run(np.array([[0.1, 0.5, 0.5], [0.9, 0.5, 0.5]])))
         self.assertGreater(high / low, 1.5, "0.7 and 2.3 in the model")
         for process in self.emulators.processes:
             self.assertGreater(process.explained, 0.6)

@@ -90,7 +90,7 @@ class Words(unittest.TestCase):
         self.assertEqual((done.stdout, done.returncode), ("protrusion: force (nN)", 0), done.stderr)
 
     def test_numbers_and_ticks_are_round(self):
-        prior = Prior(["a", "b", "c"], np.array([0.1, 3e-4, 20.0]), np.array([0.6, 0.9, 90.0]), [False, True, True])
+        prior = Prior(["a", "b", "c"], np.array([0.1, 3e-4, 20.0]), np.array([0.6, 0.9, 90.0]), [False, True, True], [False] * 3)
         self.assertEqual([report.ticks(prior, k)[1] for k in range(3)], [["0.2", "0.4", "0.6"], ["0.001", "0.01", "0.1"], ["20", "50"]])
 
 

@@ -5,7 +5,7 @@ import csv
 import io
 import json
 import re
-from collections.abc import Collection
+from collections.abc import Collection, Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -36,10 +36,10 @@ def unit_suffix(column: str) -> str:
     return next((suffix for suffix in _units if column.endswith("_" + suffix)), "")
 
 
-def make_folder(path: Path, overwrite: bool) -> None:
-    """Makes a folder for results.
+def write_report(path: Path, overwrite: bool, page: str, tables: Mapping[str, pandas.DataFrame]) -> Path:
+    """Writes report.html, whose path is returned, and tables as CSV files into a folder.
 
-    :param overwrite: whether it may be there already
+    :param overwrite: whether the folder may be there already
     :raises InputOutputError: if it is there and may not, or cannot be made
     """
     try:
@@ -49,6 +49,10 @@ def make_folder(path: Path, overwrite: bool) -> None:
         raise InputOutputError(f"{path}: {said}", path) from None
     except OSError as error:
         raise InputOutputError(f"{path}: {error.strerror}", path) from None
+    for name, table in tables.items():
+        table.to_csv(path / f"{name}.csv", index=False)
+    (path / "report.html").write_text(page, encoding="utf-8")
+    return path / "report.html"
 
 
 def require_regular(path: Path) -> None:

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from ..base import arguments
-from ..base.files import make_folder, require_pandas
+from ..base.files import require_pandas, write_report
 from ..errors import ConfigurationError, refuse
 from .conditions import Source, parameters_of, require_study, runs_of
 from .fit import Emulators, discrepancies, of_points, varied
@@ -55,13 +55,8 @@ class Comparison:
         """
         from .report import page_of_comparison
 
-        path = arguments.path("folder", folder)
-        text = page_of_comparison(self)
-        make_folder(path, overwrite)
-        for name, table in (("comparison", self.table), ("ratios", self.ratios), ("readouts", self.readouts)):
-            table.to_csv(path / f"{name}.csv", index=False)
-        (path / "report.html").write_text(text, encoding="utf-8")
-        return path / "report.html"
+        return write_report(arguments.path("folder", folder), overwrite, page_of_comparison(self),
+                            {"comparison": self.table, "ratios": self.ratios, "readouts": self.readouts})
 
 
 def compare(study: Source | Emulators, control: Any, treated: Any, readouts: Sequence[str] | None = None, *,

@@ -23,7 +23,7 @@ class Prior:
     low: Array
     high: Array
     is_log: list[bool]
-    whole: list[bool] | None = None  #: whether only whole numbers can be run; each has the same share of the cube
+    whole: list[bool]  #: whether only whole numbers can be run; each has the same share of the cube
 
     def to_cube(self, values: Array) -> Array:
         low, high = self._ends()
@@ -33,18 +33,14 @@ class Prior:
         low, high = self._ends()
         shifted = low + np.asarray(cube) * (high - low)
         values = np.where(self.is_log, np.exp(np.where(self.is_log, shifted, 0.0)), shifted)
-        return np.where(self._whole, np.clip(np.rint(values), self.low, self.high), values)
+        return np.where(self.whole, np.clip(np.rint(values), self.low, self.high), values)
 
     def snapped(self, cube: Array) -> Array:
         """Points of the cube at which the program can run."""
-        return np.where(self._whole, self.to_cube(self.from_cube(cube)), cube) if self._whole.any() else cube
-
-    @property
-    def _whole(self) -> Array:
-        return np.array(self.whole or [False] * len(self.names))
+        return np.where(self.whole, self.to_cube(self.from_cube(cube)), cube) if any(self.whole) else cube
 
     def _ends(self) -> tuple[Array, Array]:
-        half = np.where(self._whole, np.where(self.is_log, 0.0, 0.5), 0.0)
+        half = np.where(self.whole, np.where(self.is_log, 0.0, 0.5), 0.0)
         return self._of(self.low - half), self._of(self.high + half)
 
     def _of(self, values: Array) -> Array:
@@ -57,7 +53,7 @@ class Emulator:
     What it tells of points that it was not given comes from folds: in each an eighth of the points is left out, and all is fitted anew to the rest.
     """
 
-    def __init__(self, cube: Array, values: Array, runs: Array, seed: int = 1, linear: bool = False) -> None:
+    def __init__(self, cube: Array, values: Array, runs: Array, seed: int, linear: bool) -> None:
         """:param runs: at each point, whose mean ``values`` has
         :param linear: whether the process has a linear part beside the smooth one: better of many parameters and few points
         """
@@ -72,8 +68,7 @@ class Emulator:
         """Standard error of this share."""
         self.coverage = float(np.mean(np.abs(y - left_out) <= 1.645 * errors))
         """Share of points within the 90 % interval that the others predict."""
-        self.values, self.left_out = values, self._centre + self._scale * left_out
-        """Of points, and as the others predict them."""
+        self.values = values
 
     @property
     def tells(self) -> bool:
@@ -97,10 +92,6 @@ class Emulator:
     def mean(self, cube: Array) -> Array:
         return np.asarray(self._centre + self._scale * self._process.mean(cube))
 
-    def scatter(self, cube: Array) -> Array:
-        """Standard deviation of one run."""
-        return np.asarray(self._scale * np.sqrt(self._process.of_run(cube)))
-
     def drawn(self, cube: Array, draws: int, random: np.random.Generator) -> Array:
         """Functions that the simulations allow, a row each."""
         return np.asarray(self._centre + self._scale * self._process.drawn(cube, draws, random))
@@ -117,7 +108,7 @@ def _left_out(process: Process, cube: Array, y: Array, runs: Array, seed: int, l
     return left_out, errors, plain
 
 
-def sobol(emulator: Emulator, parameters: int, seed: int = 1) -> tuple[Array, Array]:
+def sobol(emulator: Emulator, parameters: int, seed: int) -> tuple[Array, Array]:
     """First and total indices by Jansen's estimators: a row per parameter with the estimate and the ends of its 90 % interval,
     over the functions that the simulations allow. Those are drawn at fewer points, and compared with the mean there."""
     random = np.random.default_rng(seed)
@@ -144,18 +135,6 @@ def _jansen(values: Array, parameters: int) -> Array:
     a, b, mixed = parts[0], parts[1], parts[2:]
     variance = max(float(parts[:2].var()), 1e-300)
     return np.array([1.0 - ((b - mixed)**2).mean(axis=1) / 2 / variance, ((a - mixed)**2).mean(axis=1) / 2 / variance])
-
-
-def sampled(log_likelihood: Callable[[Array], Array], cube: Array, known: Array, size: int = 4000,
-            seed: int = 1) -> tuple[Array, float]:
-    """Points of the unit cube drawn from the posterior of a uniform prior, and their effective sample size.
-
-    :param cube: drawn from the prior   :param known: their log likelihoods
-    """
-    random = np.random.default_rng(seed)
-    cube, log_weight = weighted(log_likelihood, cube, known, np.zeros(len(cube)), random)
-    weight, effective = shares(log_weight)
-    return cube[random.choice(len(cube), size=size, p=weight)], effective
 
 
 def weighted(log_likelihood: Callable[[Array], Array], cube: Array, known: Array, log_density: Array,

@@ -14,9 +14,8 @@ from ..base.files import require_pandas
 from ..draw import words
 from ..errors import refuse
 from ..results.studies import Study
-from . import emulator as _emulator
 from .conditions import by_condition, first_study, require_study, runs_of, Source, targets_of
-from .emulator import Array, Emulator, Prior
+from .emulator import Array, Emulator, Prior, sobol
 from .measurement import Means, Measurement, Points, asked_for, measurement, simulated, size_faults
 from .posterior import Fit, Part, each, joint, predictions, said
 from .process import scipy
@@ -247,8 +246,7 @@ def _unevenness(values: Array) -> float:
 def _sensitivity(names: list[str], parameters: list[str], emulators: Sequence[Emulator], seed: int) -> pandas.DataFrame:
     rows = []
     for name, emulator in zip(names, emulators, strict=True):
-        first, total = _emulator.sobol(emulator, len(parameters), seed) if emulator.tells else \
-            np.full((2, len(parameters), 3), np.nan)
+        first, total = sobol(emulator, len(parameters), seed) if emulator.tells else np.full((2, len(parameters), 3), np.nan)
         rows += [[name, parameter, *first[k], *total[k]] for k, parameter in enumerate(parameters)]
     return require_pandas().DataFrame(rows, columns=["readout", "parameter", "first", "first_5", "first_95", "total", "total_5",
                                               "total_95"])

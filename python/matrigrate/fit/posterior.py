@@ -12,12 +12,12 @@ import numpy as np
 
 from .. import tracks as _tracks
 from ..base import arguments
-from ..base.files import require_pandas, make_folder, unit_of
+from ..base.files import require_pandas, unit_of, write_report
 from ..draw import words
 from ..errors import ConfigurationError, refuse
 from ..results.studies import Study
-from . import emulator as _emulator, space
-from .emulator import Array, Emulator, Prior
+from . import space
+from .emulator import Array, Emulator, Prior, shares, weighted
 from .measurement import Measurement, differences
 
 if TYPE_CHECKING:
@@ -27,6 +27,7 @@ if TYPE_CHECKING:
 
 constrained_width = 0.8  #: of the 90 % interval of the prior: a wider one is not called constrained
 _implausible = 3.0
+_sample = 4000  # draws
 _Made = TypeVar("_Made")
 
 
@@ -109,15 +110,9 @@ class Fit:
         """
         from .report import page_of_fit
 
-        path = arguments.path("folder", folder)
-        text = page_of_fit(self)
-        make_folder(path, overwrite)
-        for name, table in (("posterior", self.table), ("readouts", self.readouts)):
-            table.to_csv(path / f"{name}.csv", index_label="parameter" if name == "posterior" else "readout")
-        for name, table in (("sensitivity", self.sensitivity), ("sample", self.sample), ("alone", self.alone), ("exclusions", self.exclusions)):
-            table.to_csv(path / f"{name}.csv", index=False)
-        (path / "report.html").write_text(text, encoding="utf-8")
-        return path / "report.html"
+        return write_report(arguments.path("folder", folder), overwrite, page_of_fit(self), {
+            "posterior": self.table.rename_axis("parameter").reset_index(), "readouts": self.readouts.rename_axis("readout").reset_index(),
+            "sensitivity": self.sensitivity, "sample": self.sample, "alone": self.alone, "exclusions": self.exclusions})
 
 
 class Part:
@@ -211,7 +206,10 @@ def joint(parts: list[Part], held: list[Part], seed: int) -> Fit:
     def far(cube: Array) -> Array:
         return np.hstack([part.far(*part.predicted(prior.snapped(cube))) for part in parts])
 
-    drawn, effective = _emulator.sampled(likelihood, even, np.sum([part.likelihood(*one) for part, one in known], axis=0), seed=seed)
+    random = np.random.default_rng(seed)
+    cube, log_weight = weighted(likelihood, even, np.sum([part.likelihood(*one) for part, one in known], axis=0), np.zeros(len(even)), random)
+    weight, effective = shares(log_weight)
+    drawn = cube[random.choice(len(cube), size=_sample, p=weight)]
     off = np.hstack([part.far(*one) for part, one in known])
     region = space.below(lambda cube: far(cube).max(axis=1), _implausible, even, off.max(axis=1), seed)
     names, left = [name for part in parts for name in part.names], prior.snapped(region.sample)
@@ -234,7 +232,7 @@ def joint(parts: list[Part], held: list[Part], seed: int) -> Fit:
                require_pandas().DataFrame(prior.from_cube(drawn), columns=prior.names), correlations, region.share, effective, notes, prior,
                {part.condition: (part.measured, part.nearest()) for part in of_tracks},
                {"study": parts[0].emulators.study, "tracks": files, "seed": str(seed)},
-               np.unique(left, axis=0) if any(prior.whole or []) else left, np.unique(there, axis=0))
+               np.unique(left, axis=0) if any(prior.whole) else left, np.unique(there, axis=0))
 
 
 def _notes_of(parts: Sequence[Part], held: Sequence[Part], effective: float) -> list[str]:

@@ -88,12 +88,8 @@ class _Likelihood:
 
     def __call__(self, place: Array) -> tuple[float, Array]:
         """Minus the logarithm of the posterior of a setting, and its slopes."""
-        linalg = scipy().linalg
-        n, d = self.cube.shape
-        at = self.setting(place)
-        smooth = at.smooth * np.exp(-0.5 * (at.reach @ self._apart)).reshape(n, n)
-        scatter = at.of_run(self.cube) / self.runs
-        root = linalg.cholesky(self._whole(at, smooth, scatter), lower=True, check_finite=False)
+        linalg, n = scipy().linalg, len(self.y)
+        at, smooth, scatter, root = self._parts(place)
         weights = linalg.cho_solve((root, True), self.y, check_finite=False)
         value = 0.5 * self.y @ weights + np.log(np.diag(root)).sum() + 0.5 * place @ place
         inverse = linalg.lapack.dpotri(root, lower=1)[0]  # its lower half; what it is multiplied with is symmetric
@@ -106,18 +102,18 @@ class _Likelihood:
 
     def value(self, place: Array) -> float:
         """As the call, without slopes."""
-        linalg = scipy().linalg
-        at = self.setting(place)
-        n = len(self.y)
-        smooth = at.smooth * np.exp(-0.5 * (at.reach @ self._apart)).reshape(n, n)
-        root = linalg.cholesky(self._whole(at, smooth, at.of_run(self.cube) / self.runs), lower=True, check_finite=False)
-        half = linalg.solve_triangular(root, self.y, lower=True, check_finite=False)
+        root = self._parts(place)[-1]
+        half = scipy().linalg.solve_triangular(root, self.y, lower=True, check_finite=False)
         return float(0.5 * half @ half + np.log(np.diag(root)).sum() + 0.5 * place @ place)
 
-    def _whole(self, at: _Setting, smooth: Array, scatter: Array) -> Array:
+    def _parts(self, place: Array) -> tuple[_Setting, Array, Array, Array]:
+        """The setting; of the covariance of the values the smooth part, the scatter, and the root of all."""
+        at, n = self.setting(place), len(self.y)
+        smooth = at.smooth * np.exp(-0.5 * (at.reach @ self._apart)).reshape(n, n)
+        scatter = at.of_run(self.cube) / self.runs
         whole = _constant + smooth + at.linear * self._products
-        whole.flat[::len(whole) + 1] += scatter + _jitter
-        return np.asarray(whole)
+        whole.flat[::n + 1] += scatter + _jitter
+        return at, smooth, scatter, scipy().linalg.cholesky(whole, lower=True, check_finite=False)
 
 
 class Process:

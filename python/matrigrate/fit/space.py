@@ -24,7 +24,7 @@ class Region:
     least: float
 
 
-def below(function: Callable[[Array], Array], level: float, cube: Array, known: Array, seed: int = 1) -> Region:
+def below(function: Callable[[Array], Array], level: float, cube: Array, known: Array, seed: int) -> Region:
     """A region that is too small to be met by chance is closed in on by ever lower levels, each with a walk from the points below it (subset
     simulation, Au and Beck 2001, Probabilist Eng Mech 16: 263).
 
