@@ -18,7 +18,7 @@ Units are um, s, nN, stress in Pa; they stand in the names of columns. The tutor
 """
 from . import calibrate, exchange, plot, tracks, truth
 from ._version import __version__
-from .base.live import live
+from .base.program import live
 from .errors import ConfigurationError, CoreNotFound, Fault, InputOutputError, InternalError, KeyboardStop, MatrigrateError, NumericalError, ProgramNotFound, Stopped, UnknownParameter, UsageError
 from .results.cells import CellOfRun, CellsOfRun
 from .results.fields import Field, Fields

@@ -1,4 +1,4 @@
-"""The program `matrigrate`: where it is, calling it, and its exit codes as exceptions."""
+"""The program `matrigrate`: where it is, calling it, and its exit codes as exceptions; and the live page."""
 from __future__ import annotations
 
 import json
@@ -8,7 +8,9 @@ import shutil
 import signal
 import subprocess
 import tempfile
-from collections.abc import Callable, Sequence
+import webbrowser
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
 from typing import IO, Any
@@ -31,22 +33,14 @@ class Outcome:
         return "\n".join(line.removeprefix("matrigrate: ") for line in self.err.strip().splitlines())
 
 
-class TemporaryScenario:
+@contextmanager
+def temporary_scenario(name: str, text: str) -> Iterator[Path]:
     """A scenario in a file of its name, as long as it is used."""
-
-    def __init__(self, name: str, text: str) -> None:
-        self._name, self._text = re.sub(r"[^\w.+-]", "_", name) or "scenario", text
-        self._folder: tempfile.TemporaryDirectory[str] | None = None
-
-    def __enter__(self) -> Path:
-        self._folder = tempfile.TemporaryDirectory()
-        file = Path(self._folder.name) / f"{self._name}.toml"
-        file.write_text(self._text, encoding="utf-8")
-        return file
-
-    def __exit__(self, *_: object) -> None:
-        if self._folder is not None:
-            self._folder.cleanup()
+    stem = re.sub(r"[^\w.+-]", "_", name) or "scenario"
+    with tempfile.TemporaryDirectory() as folder:
+        file = Path(folder) / f"{stem}.toml"
+        file.write_text(text, encoding="utf-8")
+        yield file
 
 
 def find() -> str | None:
@@ -139,11 +133,8 @@ def faults_of(words: str, hidden: Path | None) -> list[Fault]:
         match = _fault_line.fullmatch(line)
         assert match is not None  # the last group takes anything
         file = match["file"] or ""
-        if hidden is not None and file == str(hidden):
-            faults.append(Fault(match["key"] or "", match["message"]))
-        else:
-            faults.append(Fault(match["key"] or "", match["message"], file, int(match["line"] or 0),
-                                int(match["column"] or 0)))
+        place = () if file == str(hidden) else (file, int(match["line"] or 0), int(match["column"] or 0))
+        faults.append(Fault(match["key"] or "", match["message"], *place))
     return faults
 
 
@@ -171,3 +162,23 @@ def _reason(out: str) -> str:
         return str(json.loads(out)["reason"])
     except (ValueError, KeyError, TypeError):
         return out.strip()
+
+
+def live(*, show: bool = True) -> Path:
+    """Opens the live page in the browser, and returns where it is: a cell is computed there while you watch. The page is
+    one file that needs neither network nor program; a copy of it works as well.
+
+    :param show: False only returns where it is
+    :raises InputOutputError: if neither this package nor the program has the page, saying where to get it
+    """
+    page = Path(__file__).parents[1] / "live.html"
+    if not page.is_file():
+        if find() is None:
+            raise InputOutputError(f"the live page is not here: there is no {page}, and no program that has it. The wheel, the Debian "
+                                   "package and the folder of a release have the page; a clone has it in live/")
+        outcome = call(["live", "--print"])
+        raise_for(outcome, None)
+        page = Path(outcome.out.strip())
+    if show:
+        webbrowser.open(page.as_uri())
+    return page

@@ -6,6 +6,7 @@ import re
 import tempfile
 import tomllib
 from collections.abc import Iterator, Mapping
+from contextlib import AbstractContextManager
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -355,8 +356,8 @@ class Scenario(Sections, Mapping[str, Value]):
         """
         return core().closures(self.toml(), self.name)
 
-    def _as_file(self) -> program.TemporaryScenario:
-        return program.TemporaryScenario(self.name, self.toml())
+    def _as_file(self) -> AbstractContextManager[Path]:
+        return program.temporary_scenario(self.name, self.toml())
 
 
 def _lines(table: Mapping[str, Any]) -> str:

@@ -11,6 +11,7 @@ Files are read as ``matrigrate tracks`` reads them.
 from __future__ import annotations
 
 import math
+import numbers
 import os
 from collections import Counter
 from collections.abc import Mapping, Sequence
@@ -22,10 +23,10 @@ import numpy as np
 from ..base import arguments
 from ..base.files import require_pandas, unit_of
 from ..base.load_core import core
-from ..errors import ConfigurationError, refuse
+from ..errors import ConfigurationError, InputOutputError, refuse
 from ..results.results import Run
 from ..results.studies import Study
-from . import motility, reader as _track_reader
+from . import motility
 
 if TYPE_CHECKING:
     import pandas
@@ -230,10 +231,54 @@ def read(file: str | os.PathLike[str], *, pixel: float | None = None, frame_inte
         raise ConfigurationError("interval: is the older name of frame_interval; give one of them")
     options = {"pixel": pixel, "interval": interval if frame_interval is None else frame_interval, "time_unit": time_unit,
                "columns": columns, "layout": layout, "splits": splits, "jitter": jitter, "shortest": shortest, "fewest": fewest, "drift": drift}
-    step, notes, names, starts, positions = _track_reader.read(file, options)
+    given = {name: _checked(name, value) for name, value in options.items() if value is not None or name == "drift"}
+    if isinstance(file, _Text):
+        found = core().read_tracks("the data frame", file, given)
+    else:
+        path = arguments.path("file", file, "the path of a file of tracks")
+        if path.is_dir():
+            raise InputOutputError(f"{path}: is a folder; tracks.of(matrigrate.load(...)) has the tracks of a run", path)
+        found = core().read_tracks(os.fsencode(path), None, given)
+    step, notes, names, starts, positions = found
     tracks = Tracks(dict(zip(names, positions, strict=True)), step, notes, dict(zip(names, starts, strict=True)))
-    tracks.source = "" if isinstance(file, _track_reader.Text) else str(file)
+    tracks.source = "" if isinstance(file, _Text) else str(file)
     return tracks
+
+
+class _Text(str):
+    """A table in memory, in the place of a file."""
+
+
+def _checked(name: str, value: Any) -> Any:
+    """An argument as the module takes it. :raises TypeError: of a wrong type"""
+    if name == "drift":
+        return arguments.one_of(name, value, bool)
+    if name == "columns":
+        return [f"{key}={_column(key, one)}" for key, column in arguments.mapping(name, value, "a dictionary of columns").items()
+                for one in (column if isinstance(column, (list, tuple)) else [column])]
+    if name in ("time_unit", "layout", "splits"):
+        return arguments.text(name, value)
+    return _number(name, value, whole=name in ("shortest", "fewest"))
+
+
+def _column(key: str, value: Any) -> str:
+    """A column by its name, by its number, or none."""
+    if value is None:
+        return "none"
+    if isinstance(value, bool) or not isinstance(value, (str, numbers.Integral)):
+        raise arguments.wrong(f"columns[{key!r}]", value, "the name of a column, or its number from 1,")
+    return str(value)
+
+
+def _number(name: str, value: Any, whole: bool) -> float:
+    if isinstance(value, bool) or not isinstance(value, numbers.Real):
+        raise arguments.wrong(name, value, "a whole number" if whole else "a number")
+    number = float(value)
+    if whole and (number < 1 or not number.is_integer()):
+        raise ConfigurationError(f"{name}: {value} is no whole number of at least 1")
+    if not whole and not (math.isfinite(number) and (number > 0 or name == "jitter" and number == 0)):
+        raise ConfigurationError(f"{name}: {number:g} is no positive number")
+    return int(number) if whole else number
 
 
 def from_frame(frame: pandas.DataFrame, **options: Any) -> Tracks:
@@ -248,7 +293,7 @@ def from_frame(frame: pandas.DataFrame, **options: Any) -> Tracks:
     if not isinstance(frame, require_pandas().DataFrame):
         raise arguments.wrong("frame", frame, "a data frame")
     text = frame.to_csv(index=any(name is not None and name not in frame.columns for name in frame.index.names))
-    return read(_track_reader.Text(text), **options)
+    return read(_Text(text), **options)
 
 
 def of(result: Run | Study, interval: float | None = None) -> Tracks:
