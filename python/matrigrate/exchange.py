@@ -20,7 +20,7 @@ from ._version import __version__
 from .base import arguments as _arguments
 from .errors import MatrigrateError
 from .results import raster, results
-from .results.fields import Fields
+from .results.fields import Fields, evenly
 
 if TYPE_CHECKING:
     import pandas
@@ -55,15 +55,6 @@ def simularium(run: results.Run, file: str | Path) -> None:
     _simularium(fields, run.tracks, Path(file), run.folder.name, __version__)
 
 
-def _evenly(times: Array) -> tuple[int, float]:
-    """How many times from the first are multiples of the first interval [s], and that; times agree within 1 ms."""
-    if len(times) < 2:
-        return len(times), 1.0
-    interval = float(times[1] - times[0])
-    off = np.abs(times - times[0] - interval * np.arange(len(times))) > 1e-3
-    return int(np.argmax(off)) if off.any() else len(times), interval
-
-
 def _require_frames(fields: Fields) -> None:
     if not len(fields.times):
         raise ValueError(f"{fields.file}: holds no frames")
@@ -83,7 +74,7 @@ def _ome_tiff(fields: Fields, file: Path, pixel: float | None, title: str, versi
     middles = (np.arange(side) + 0.5) * pixel - 0.5 * side * pixel
     names = _channels(fields)
     count = len(fields.times) * len(names)
-    even, interval = _evenly(fields.times)
+    even, interval = evenly(fields.times)
     about: dict[str, Any] = {
         "axes": "TCYX", "Name": title, "Creator": f"Matrigrate {version}", "UUID": _name_of(fields, pixel),
         "PhysicalSizeX": pixel, "PhysicalSizeXUnit": "µm", "PhysicalSizeY": pixel, "PhysicalSizeYUnit": "µm",
@@ -181,7 +172,7 @@ _in_front = 2.0  # z of the cells [um]
 
 def _simularium(fields: Fields, tracks: pandas.DataFrame, file: Path, title: str, version: str) -> None:
     _require_frames(fields)
-    even, interval = _evenly(fields.times)
+    even, interval = evenly(fields.times)
     if even < len(fields.times) - 1:
         raise ValueError(f"{fields.file}: its frames are not of one interval, which Simularium's viewer supposes")
     cells = list(fields.outlines(0))
@@ -212,7 +203,7 @@ def _info(fields: Fields, even: int, interval: float, cells: int, title: str, ve
                           "authors": "Heck et al. 2020; computed by Matrigrate",
                           "description": "The cortex of the cell as a ring, its adhesions, and the particles of the matrix.",
                           "doi": "10.1371/journal.pcbi.1007250"},
-            "timeUnits": {"magnitude": 1.0, "name": "s"}, "timeStepSize": interval, "totalSteps": even,
+            "timeUnits": {"magnitude": 1.0, "name": "s"}, "timeStepSize": interval or 1.0, "totalSteps": even,
             "spatialUnits": {"magnitude": 1.0, "name": "µm"}, "size": point(2 * radius, 2 * radius, 20.0),
             "cameraDefault": {"position": point(0, 0, 1.4 * radius), "lookAtPosition": point(0, 0, 0), "upVector": point(0, 1, 0), "fovDegrees": 75.0},
             "typeMapping": {str(k): one for k, one in enumerate(kinds)}}

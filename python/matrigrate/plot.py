@@ -40,17 +40,17 @@ def path(run: Run | Tracks | Mapping[str, Run], axes: Axes | None = None, *, tog
     runs = {"": arguments.one_of("run", run, Run)} if not isinstance(run, Mapping) else dict(run)
     _pyplot()  # says what is missing before tables are read
     named_by = _labels(run.study) if isinstance(run, Runs) and run.study is not None else {}
-    paths = [(named_by.get(name, _words.plain(name)), number, cell.tracks) for name, one in runs.items() for number, cell in one.cells.items()]
+    paths = [(named_by.get(name, _words.plain(name)) if len(runs) > 1 else f"cell {number}", number, cell.tracks)
+             for name, one in runs.items() for number, cell in one.cells.items()]
     if together:
         paths = [(name, number, _from_start(track)) for name, number, track in paths]
     axes = axes or _new_axes(figsize=_shape([table for _, _, table in paths]))
-    lines = list(dict.fromkeys(name for name, _, _ in paths)) if len(runs) > 1 else [number for _, number, _ in paths]  # each has a colour and its name
-    named = set()
+    lines: list[str] = []  # each has a colour and its name
     for name, number, track in paths:
-        line = name if len(runs) > 1 else number
-        label = None if line in named else name if len(runs) > 1 else f"cell {number}"
-        named.add(line)
-        colour = _colours[lines.index(line) % len(_colours)]
+        label = None if name in lines else name
+        if label:
+            lines.append(name)
+        colour = _colours[lines.index(name) % len(_colours)]
         if len(runs) == 1 and len(paths) > 1:  # as in frames
             colour = drawing.colours_of(number, len(paths))[0]
         x, y = track["x_um"], track["y_um"]
@@ -199,18 +199,15 @@ def msd(results: Run | Study | Tracks, axes: Axes | None = None) -> Axes:
     axes = axes or _new_axes()
     axes.set(xlabel="lag (min)", ylabel="mean square displacement (µm²)")
     if isinstance(results, Tracks):
-        lag, square = drawing.track_msd(axes, results)
-        _slopes(axes, lag, square)
+        table = results.msd().dropna()
+        axes.plot(table["lag_s"] / 60, table["msd_um2"], "o-", color=_words.blue, markersize=3)
+        _slopes(axes, table)
         return axes
     table = arguments.one_of("results", results, Run, Study).msd
-    if not len(table):
-        axes.text(0.5, 0.5, "no mean square displacement: its lags are 10 min\nto half a run, so a run of 20 min has the first",
-                  transform=axes.transAxes, horizontalalignment="center", verticalalignment="center")
-        axes.set(xticks=[], yticks=[])
-        return axes
     if table["lag_s"].nunique() < 2:
-        axes.text(0.5, 0.5, f"a single lag, {table['lag_s'].iloc[0] / 60:g} min: two are needed for a curve,\nof a run of 40 min",
-                  transform=axes.transAxes, horizontalalignment="center", verticalalignment="center")
+        why = "no mean square displacement: its lags are 10 min\nto half a run, so a run of 20 min has the first" if not len(table) \
+            else f"a single lag, {table['lag_s'].iloc[0] / 60:g} min: two are needed for a curve,\nof a run of 40 min"
+        axes.text(0.5, 0.5, why, transform=axes.transAxes, horizontalalignment="center", verticalalignment="center")
         axes.set(xticks=[], yticks=[])
         return axes
     groups: list[tuple[Any, Any]] = [("", table)]
@@ -225,16 +222,16 @@ def msd(results: Run | Study | Tracks, axes: Axes | None = None) -> Axes:
         if "sem_um2" in rows:
             low = (rows["msd_um2"] - rows["sem_um2"]).clip(lower=rows["msd_um2"] / 10)
             axes.fill_between(lag, low, rows["msd_um2"] + rows["sem_um2"], color=colour, alpha=0.15, linewidth=0)
-    _slopes(axes, table["lag_s"] / 60, table["msd_um2"])
+    _slopes(axes, table)
     if len(groups) > 1 or not isinstance(results, Run):
         axes.legend(frameon=False)
     return axes
 
 
-def _slopes(axes: Axes, lag: Any, square: Any) -> None:
+def _slopes(axes: Axes, table: pandas.DataFrame) -> None:
     """Logarithmic axes, with the slopes of a random walk and of a straight path from the first value on."""
-    lags = np.array([np.min(lag), np.max(lag)])
-    start = float(np.asarray(square)[0]) or 1.0
+    lags = np.array([table["lag_s"].min(), table["lag_s"].max()]) / 60
+    start = float(table["msd_um2"].iloc[0]) or 1.0
     for slope in (1, 2):
         line = start * (lags / lags[0]) ** slope
         axes.plot(lags, line, "--", color="#999999", linewidth=1)

@@ -24,7 +24,7 @@ from .base.load_core import library
 from .draw import drawing
 from .errors import ConfigurationError, InputOutputError
 from .results import raster
-from .results.fields import Fields
+from .results.fields import Fields, evenly
 from .results.results import Run
 
 if TYPE_CHECKING:
@@ -158,17 +158,12 @@ class Movie:
 
 def _even(times: Array) -> tuple[float, list[int]]:
     """The interval [s], and the frames without a last one that comes too soon."""
-    if len(times) < 2:
-        return 0.0, list(range(len(times)))
-    interval = float(times[1] - times[0])
-    odd = np.flatnonzero(np.abs(times - times[0] - interval * np.arange(len(times))) > 1e-3)
-    if len(odd) == 0:
-        return interval, list(range(len(times)))
-    if odd[0] == len(times) - 1 and times[-1] - times[-2] < interval:
-        return interval, list(range(len(times) - 1))
+    odd, interval = evenly(times)
+    if odd == len(times) or odd == len(times) - 1 and times[-1] - times[-2] < interval:
+        return interval, list(range(odd))
     steps = np.diff(times)
     raise ConfigurationError(f"the frames of the run are unevenly spaced, {steps.min():g} to {steps.max():g} s apart: the first that does "
-                             f"not fit is frame {odd[0]}, at {times[odd[0]]:g} s, where {times[0] + odd[0] * interval:g} s is expected. A "
+                             f"not fit is frame {odd}, at {times[odd]:g} s, where {times[0] + odd * interval:g} s is expected. A "
                              "movie has one interval; frames are evenly spaced where output.field_interval is a multiple of "
                              "run.time_step")
 

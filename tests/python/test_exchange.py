@@ -10,6 +10,7 @@ import matrigrate  # noqa: E402
 import numpy as np  # noqa: E402
 import tifffile  # noqa: E402
 from matrigrate import exchange  # noqa: E402
+from matrigrate.results import fields  # noqa: E402
 
 
 def agents(data):
@@ -82,9 +83,9 @@ class Exchange(common.InTemporaryFolder):
         self.assertEqual((one["name"], other["name"], one["y"][0]), ("cell 1", "cell 2", 0))
 
     def test_frames_of_one_interval_and_a_last_one_that_comes_sooner(self):
-        self.assertEqual(exchange._evenly(np.array([0.0, 3.0, 6.0, 8.0])), (3, 3.0))
-        self.assertEqual(exchange._evenly(np.array([0.0, 3.0, 5.0, 8.0])), (2, 3.0))
-        self.assertEqual(exchange._evenly(np.array([4.0])), (1, 1.0))
+        self.assertEqual(fields.evenly(np.array([0.0, 3.0, 6.0, 8.0])), (3, 3.0))
+        self.assertEqual(fields.evenly(np.array([0.0, 3.0, 5.0, 8.0])), (2, 3.0))
+        self.assertEqual(fields.evenly(np.array([4.0])), (1, 0.0))
         uneven = matrigrate.run(common.runs / "cell.toml", out="uneven", hours=0.02, overrides={"run.integrator": "reference", "output.report": False, "run.time_step": "0.4 s", "output.field_interval": "11.5 s"})
         with self.assertRaisesRegex(ValueError, "are not of one interval"):
             exchange.simularium(uneven, "none.simularium")

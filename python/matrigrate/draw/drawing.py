@@ -51,18 +51,13 @@ def limits_of(fields: Fields, field: str) -> tuple[float, float, str]:
     """Limits of the colours of a field, and where values may lie beyond: "neither", "max" or "both"."""
     if field == "f_degr":
         return 0.0, 1.0, "neither"
-    parts = []
-    for k in some_frames(fields):
-        values = values_of(fields, field, k)
-        parts.append(values[fields["matrix/solid"][k] == 1])
-    values = np.concatenate(parts)
+    values = np.concatenate([values_of(fields, field, k)[fields["matrix/solid"][k] == 1] for k in some_frames(fields)])
     if not len(values):
         return 0.0, 1.0, "neither"
     if field in ("displacement", "velocity", "von_mises", "fibre_von_mises", "pressure"):
         usual = float(f"{np.quantile(np.abs(values), _quantile):.2g}") or 1.0
-        beyond = "neither" if np.abs(values).max() <= usual else "max"
-        return (-usual, usual, "both" if beyond == "max" else "neither") if field == "pressure" \
-            else (0.0, usual, beyond)
+        low, beyond = (-usual, "both") if field == "pressure" else (0.0, "max")
+        return low, usual, "neither" if np.abs(values).max() <= usual else beyond
     low, high = float(values.min()), float(values.max())
     return low, high if high > low else low + 1.0, "neither"
 
@@ -324,14 +319,6 @@ def track_paths(axes: Axes, tracks: Tracks, together: bool) -> None:
             axes.plot(*there[0], "o", color=colour, markerfacecolor="white", markersize=3.5, zorder=4)
     if together:
         axes.plot(0, 0, "+", color="black", markersize=9, zorder=5)
-
-
-def track_msd(axes: Axes, tracks: Tracks) -> tuple[Any, Any]:
-    """Mean square displacement over lags [min]; its lags and values."""
-    table = tracks.msd().dropna()
-    lag, square = table["lag_s"].to_numpy(float) / 60, table["msd_um2"].to_numpy(float)
-    axes.plot(lag, square, "o-", color=words.blue, markersize=3)
-    return lag, square
 
 
 def track_quality(axes: Any, tracks: Tracks) -> None:

@@ -23,6 +23,15 @@ _sparse = ("protrusions", "anchors")
 _aliases = {"matrix/degradation": "matrix/f_degr"}  # the layers of the command line that the file calls otherwise
 
 
+def evenly(times: np.ndarray[Any, Any]) -> tuple[int, float]:
+    """How many times from the first are multiples of the first interval [s], and that; times agree within 1 ms."""
+    if len(times) < 2:
+        return len(times), 0.0
+    interval = float(times[1] - times[0])
+    off = np.abs(times - times[0] - interval * np.arange(len(times))) > 1e-3
+    return int(np.argmax(off)) if off.any() else len(times), interval
+
+
 class Field:
     """One array of fields.h5. Indexing reads it: ``field[-1]`` is the last frame."""
 
@@ -60,7 +69,8 @@ class Fields(Mapping[str, Field]):
             try:
                 self.times: np.ndarray[Any, Any] = opened["time"][:]
                 """Simulated time of each frame [s]."""
-                self._fields = {name: _field(self.file, opened[name]) for name in _names(opened)}
+                self._fields = {f"{group}/{name}": _field(self.file, opened[group][name])
+                                for group in (*_bodies, *_sparse) if group in opened for name in opened[group]}
             except (KeyError, AttributeError, TypeError, ValueError):
                 raise InputOutputError(f"{self.file}: is no file of frames of this program", self.file.parent) from None
 
@@ -98,7 +108,7 @@ class Fields(Mapping[str, Field]):
             number = range(len(self.times))[k]
         except IndexError:
             raise IndexError(f"frame {k}: there are {len(self.times)} frames") from None
-        return {name: field[number] for name, field in self._fields.items() if self._has_frames(field)}
+        return {name: field[number] for name, field in self._fields.items() if self.has_frames(name)}
 
     def outlines(self, k: int = -1) -> dict[int, np.ndarray[Any, Any]]:
         """The cortex of each cell [um] in frame k, by the number of the cell: x, y of its particles in their order."""
@@ -130,7 +140,7 @@ class Fields(Mapping[str, Field]):
         for name, field in self._fields.items():
             body = name.split("/")[0]
             if body in _bodies and len(field.shape) > 1:
-                first = ("time",) if self._has_frames(field) else ()
+                first = ("time",) if self.has_frames(name) else ()
                 dims = (*first, body, "axis")[:len(field.shape)]
                 arrays[name.replace("/", "_")] = xarray.DataArray(field[...], dims=dims, attrs={"units": field.units})
         data = xarray.Dataset(arrays, coords={"time": ("time", self.times, {"units": "s"})})
@@ -138,9 +148,7 @@ class Fields(Mapping[str, Field]):
 
     def has_frames(self, name: str) -> bool:
         """True if a field has a value of each particle in each frame."""
-        return self._has_frames(self[name])
-
-    def _has_frames(self, field: Field) -> bool:
+        field = self[name]
         return (field.name.split("/")[0] in _bodies and field.name != "matrix/reference" and len(field.shape) > 1
                 and len(field) == len(self.times))
 
@@ -151,8 +159,7 @@ class Fields(Mapping[str, Field]):
             if not name.startswith(group + "/"):
                 continue
             key, values = name.split("/")[1], field[...]
-            flat = {f"{key}_{axis}": values[:, i] for i, axis in enumerate("xy")} if values.ndim == 2 else {}
-            parts = flat or {key: values}
+            parts = {f"{key}_{axis}": values[:, i] for i, axis in enumerate("xy")} if values.ndim == 2 else {key: values}
             columns |= parts
             units |= dict.fromkeys(parts, field.units)
         frames = columns.pop("frame", np.zeros(0, dtype="u4"))
@@ -176,10 +183,6 @@ def _opened(path: Path) -> Iterator[Any]:
         raise
     except (OSError, RuntimeError) as error:
         raise InputOutputError(f"{path}: is damaged: {error}", path.parent) from None
-
-
-def _names(file: Any) -> list[str]:
-    return [f"{group}/{name}" for group in (*_bodies, *_sparse) if group in file for name in file[group]]
 
 
 def _field(path: Path, data: Any) -> Field:
