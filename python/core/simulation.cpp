@@ -379,6 +379,15 @@ std::pair<std::string, py::list> constants_of_laws(const std::string& value, con
   return {constants_text(p), all};
 }
 
+void add_scenarios(py::module_& module) {
+  module.def("judged", &judged_value);
+  module.def("unknown_name", &unknown_name);
+  module.def("closures", [](const std::string& text, const std::string& name) {
+    return closures_text(closures_of(parse_parameters(text, name)));
+  });
+  module.def("constants", &constants_of_laws);
+}
+
 } // namespace
 
 /// Adds the read-outs of tracks (tracks.cpp): TrackParts, and track_readouts, pairs of name and meaning.
@@ -391,12 +400,7 @@ PYBIND11_MODULE(_core, module) {
   module.doc() = "Values that are judged, a simulation that is stepped from Python, and tracks.";
   py::register_exception_translator(&translate);
   py::module_::import("atexit").attr("register")(py::cpp_function(&end_marches));
-  module.def("judged", &judged_value);
-  module.def("unknown_name", &unknown_name);
-  module.def("closures", [](const std::string& text, const std::string& name) {
-    return closures_text(closures_of(parse_parameters(text, name)));
-  });
-  module.def("constants", &constants_of_laws);
+  add_scenarios(module);
   add_tracks(module);
   const auto of = [](const py::object& self) -> const State& { return self.cast<const SteppedSimulation&>().state(); };
   const auto cell = [of](const py::object& self, std::size_t k) -> const Cell& {
