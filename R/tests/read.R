@@ -1,4 +1,4 @@
-# The examples of the package, read: run and study, several cells, damage.
+# The examples of the package, read: run and study, several cells. Damage: tests/python/r_reads.R, in the project.
 library(matrigrate)
 
 refused <- function(words, expression) {
@@ -20,13 +20,6 @@ stopifnot(
   identical(unique(read_msd(pair)$id), c("pair/1", "pair/2"))
 )
 
-# The displacement of each cell is the program's, which it is not where two cells are joined.
-ends <- sapply(split(tracks, tracks$id), function(track) {
-  last <- nrow(track)
-  sqrt(diff(track$x_um[c(1, last)])^2 + diff(track$y_um[c(1, last)])^2) / diff(track$t_s[c(1, last)]) * 3600
-})
-stopifnot(all.equal(unname(ends), summary$v_migr_abs_um_per_h, tolerance = 1e-9))
-
 results <- read_results(study)
 each <- read_summary(study)
 stopifnot(
@@ -35,24 +28,8 @@ stopifnot(
   names(results)[-seq_len(match("trajectory_hash", names(results)))] %in% readouts()$name
 )
 
-refused("nowhere: there is no such folder", read_tracks("nowhere"))
-refused("is no folder of a run or a study", read_tracks(tempdir()))
 refused("is expected, as one text", read_tracks(c(pair, pair)))
-refused("has no cell 3; its cells are 1, 2", read_tracks(pair, cell = 3))
 refused("none.csv: there is no such file", read_run(pair, "none.csv"))
-
-# Copies with one damage each. A run that goes on may have a row that is not finished, and has no summary.
-damaged <- tempfile("damaged")
-dir.create(damaged)
-with_tracks <- function(text, status = "done") {
-  writeLines(paste0("{\"status\": \"", status, "\"}"), file.path(damaged, "run.json"))
-  cat(text, file = file.path(damaged, "tracks.csv"))
-  damaged
-}
-refused("tracks.csv:5: is damaged: has 3 fields", read_tracks(with_tracks(paste0(c(lines[1:4], "1,2,3", ""), collapse = "\n"))))
-refused("tracks.csv:3: is damaged: it is cut short", read_tracks(with_tracks(paste0(c(lines[1:2], "1,2"), collapse = "\n"))))
-stopifnot(nrow(read_tracks(with_tracks(paste0(c(lines[1:3], "1,2"), collapse = "\n"), "running"))) == 2)
-refused("summary.csv: there is no such file", read_summary(damaged))
 
 # Runs of a study that have different columns stand below each other.
 mixed <- tempfile("mixed")
