@@ -2,11 +2,12 @@
 from __future__ import annotations
 
 import datetime
+import math
+import numbers
 import os
 from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
-
 
 
 def wrong(name: str, value: Any, expected: str) -> TypeError:
@@ -44,6 +45,11 @@ def one_of(name: str, value: Any, *types: type) -> Any:
     if not isinstance(value, types):
         raise wrong(name, value, " or ".join(f"a {one.__name__}" for one in types))
     return value
+
+
+def is_number(value: Any) -> bool:
+    """Whether it is a finite number, also one of numpy."""
+    return isinstance(value, numbers.Real) and not isinstance(value, bool) and math.isfinite(value)
 
 
 def function(name: str, value: Any) -> None:

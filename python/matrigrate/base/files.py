@@ -19,7 +19,7 @@ _units = {"um_per_h": "um/h", "um_per_s": "um/s", "nm_per_s": "nm/s", "um2_per_s
           "N_per_m2": "N/m^2", "N_per_m1.5": "N/m^1.5", "per_s": "1/s", "per_nN": "1/nN", "per_um": "1/um", "N_m": "N m",
           "nN_um2": "nN um^2", "Pa_s": "Pa s", "um2": "um^2", "um": "um", "min": "min", "s": "s", "nN": "nN", "Pa": "Pa",
           "rad": "rad", "deg": "deg"}
-_guarded = re.compile(r"'(?=[=+\-@\t\r\n])")
+_guarded = re.compile(r"\A'(?=[=+\-@\t\r\n])")
 
 
 def unit_of(column: str) -> str:
@@ -100,10 +100,8 @@ def read_table(path: Path, *, texts: Collection[str] = (), strict: bool = True,
         if len(row) != len(rows[0]):
             raise InputOutputError(f"{path}: is damaged: row {number} has {len(row)} fields, its header "
                                    f"{len(rows[0])}", path.parent)
-    columns = {name: list(values) for name, values in zip(rows[0], zip(*rows[1:], strict=True), strict=True)} \
-        if len(rows) > 1 else {name: [] for name in rows[0]}
-    table = pandas.DataFrame({name: _column(path, name, values, name in texts, strict)
-                              for name, values in columns.items()})
+    table = pandas.DataFrame({name: _column(path, name, [row[k] for row in rows[1:]], name in texts, strict)
+                              for k, name in enumerate(rows[0])})
     table.attrs["units"] = {name: unit_of(name) for name in table.columns}
     return table
 
@@ -119,8 +117,7 @@ def _column(path: Path, name: str, values: list[str], is_text: bool, strict: boo
         except ValueError as error:
             if strict:
                 raise InputOutputError(f"{path}: is damaged: column {name}: {error}", path.parent) from None
-    return pandas.Series([_guarded.sub("", value, 1) if _guarded.match(value) else value for value in values],
-                         dtype="object")
+    return pandas.Series([_guarded.sub("", value) for value in values], dtype="object")
 
 
 def require_pandas() -> Any:

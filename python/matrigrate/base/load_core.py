@@ -39,8 +39,7 @@ def core() -> ModuleType:
         raise CoreNotFound("this package has no compiled module, so it reads results, and neither checks scenarios, steps simulations nor reads "
                            "tracks; in a clone of Matrigrate on Debian 12 ./demo builds the module for the package in the clone, and "
                            "python/install.sh installs both into a virtual environment")
-    spec = importlib.util.spec_from_file_location(name, found,
-                                                  loader=importlib.machinery.ExtensionFileLoader(name, found))
+    spec = importlib.util.spec_from_file_location(name, found, loader=importlib.machinery.ExtensionFileLoader(name, found))
     assert spec is not None and spec.loader is not None
     module = importlib.util.module_from_spec(spec)
     spec.loader.exec_module(module)

@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from ..base.arguments import is_number
 from ..results import raster
 from ..results.fields import Fields
 from ..scenario import schema
@@ -71,9 +72,6 @@ def values_of(fields: Fields, field: str, k: int) -> Array:
 
 def check_view(window: Any, follow: Any, hide: Iterable[str], cells: Collection[int] = ()) -> set[str]:
     """What is hidden, once it and the view can be.  :raises ValueError: if not"""
-    def is_number(value: Any) -> bool:
-        return isinstance(value, (int, float, np.number)) and not isinstance(value, bool) and bool(np.isfinite(value))
-
     hidden = {hide} if isinstance(hide, str) else set(hide)
     if wrong := sorted(hidden - set(overlays)):
         raise ValueError(f"hide: there is no {wrong[0]}; there are {', '.join(overlays)}")

@@ -145,8 +145,7 @@ def _asked_for(points: Points, groups: Sequence[Group], known: Any, parameters: 
 
 
 def _are_numbers(value: Any, many: int) -> bool:
-    return isinstance(value, Sequence) and not isinstance(value, str) and len(value) == many and all(
-        isinstance(one, (int, float, np.number)) and np.isfinite(one) for one in value)
+    return isinstance(value, Sequence) and len(value) == many and all(map(arguments.is_number, value))
 
 
 def _require_inside(values: Mapping[str, Sequence[float]], emulators: Emulators) -> None:

@@ -17,7 +17,7 @@ from ..results.studies import Study
 from .conditions import by_condition, first_study, require_study, runs_of, Source, targets_of
 from .emulator import Array, Emulator, Prior, sobol
 from .measurement import Means, Measurement, Points, asked_for, measurement, simulated, size_faults
-from .posterior import Fit, Part, each, joint, predictions, said
+from .posterior import Fit, Part, each, joint, said
 from .process import scipy
 
 if TYPE_CHECKING:
@@ -60,11 +60,16 @@ class Emulators:
         refuse(faults + size_faults(wanted.table, self.points.values))
         return joint([Part("", self, wanted, own, measured)], [], seed)
 
+    def predicted(self, cube: Array) -> tuple[Array, Array]:
+        """Means and standard errors at points, a column a read-out."""
+        both = [process(cube) for process in self.processes]
+        return np.column_stack([mean for mean, _ in both]), np.column_stack([error for _, error in both])
+
     @cached_property
     def of_prior(self) -> tuple[Array, Array, Array]:
         """Points drawn from the prior, and what the emulators say there: the same for all fits."""
         cube = self.prior.snapped(np.random.default_rng(1).random((_draws, len(self.prior.names))))
-        return cube, *predictions(self.processes, cube)
+        return cube, *self.predicted(cube)
 
 
 def emulate(study: Study, readouts: Sequence[str], *, interval: float | None = None, error: float = 0.0,
@@ -210,9 +215,8 @@ def prior_of(points: pandas.DataFrame, design: pandas.DataFrame, given: Mapping[
 
 def _range_of(entry: Any) -> tuple[Any, ...] | None:
     """(low, high) or (low, high, "log"), or None if it is no range."""
-    if isinstance(entry, str) or not isinstance(entry, Sequence) or len(entry) not in (2, 3) or list(entry[2:]) not in ([], ["log"]):
-        return None
-    if not all(isinstance(end, (int, float, np.number)) and np.isfinite(end) for end in entry[:2]):
+    if isinstance(entry, str) or not isinstance(entry, Sequence) or len(entry) not in (2, 3) or list(entry[2:]) not in ([], ["log"]) \
+            or not all(map(arguments.is_number, entry[:2])):
         return None
     low, high = float(entry[0]), float(entry[1])
     return (low, high, *entry[2:]) if low < high and (len(entry) == 2 or low > 0) else None
@@ -234,7 +238,7 @@ def discrepancies(given: Mapping[str, float] | None,
     known = {wanted for condition, readouts in names.items() for name in readouts for wanted in (name, words.at(name, condition))}
     faults = [f"discrepancy: {name}: is no read-out of the emulators" for name in own if name not in known]
     faults += [f"discrepancy: {name}: {value!r} is no standard error" for name, value in own.items()
-               if not (isinstance(value, (int, float, np.number)) and np.isfinite(value) and 0 <= value < _largest_discrepancy)]
+               if not (arguments.is_number(value) and 0 <= value < _largest_discrepancy)]
     return faults, own
 
 

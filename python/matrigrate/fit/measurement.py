@@ -74,8 +74,8 @@ class Points:
     def _need(self, name: str) -> str:
         if name not in motility.meanings():
             return "is not defined in their runs, or no number"
-        there = f"; simulated ones have {self.positions - 1}" if self.positions else ""
-        return f"{motility.needs.get(name, 'needs tracks of two positions')}{there if 'intervals' in motility.needs.get(name, '') else ''}"
+        need = motility.needs.get(name, "needs tracks of two positions")
+        return need + (f"; simulated ones have {self.positions - 1}" if self.positions and "intervals" in need else "")
 
 
 Means = Mapping[str, tuple[float | tuple[float, float], float]]
@@ -96,8 +96,12 @@ def measurement(measured: _tracks.Tracks | Means, names: Sequence[str], besides:
     :param besides: means and standard errors of read-outs that tracks do not have
     :raises ConfigurationError: with all that is wrong
     """
+    if isinstance(measured, (str, os.PathLike)):
+        raise TypeError(f"measured is the text {str(measured)!r}; tracks are expected, as "
+                        f"matrigrate.tracks.read({str(measured)!r}) gives them, or a dictionary of means and standard errors")
+    if not isinstance(measured, Mapping):
+        raise arguments.wrong("measured", measured, "tracks, or a dictionary of means and standard errors,")
     is_tracks = isinstance(measured, _tracks.Tracks)
-    _require_measured(measured)
     if is_tracks:
         core()  # without it there is no read-out of tracks: it says so
     arguments.mapping("besides", besides, "a dictionary of means and standard errors")
@@ -131,14 +135,6 @@ def measurement(measured: _tracks.Tracks | Means, names: Sequence[str], besides:
         return Measurement(table, covariance, 0, 0, [])
     return Measurement(table, covariance, len(measured), int(np.median([len(track) for track in measured.values()])),
                        list(measured.notes))
-
-
-def _require_measured(measured: Any) -> None:
-    if isinstance(measured, (str, os.PathLike)):
-        raise TypeError(f"measured is the text {str(measured)!r}; tracks are expected, as "
-                        f"matrigrate.tracks.read({str(measured)!r}) gives them, or a dictionary of means and standard errors")
-    if not isinstance(measured, Mapping):
-        raise arguments.wrong("measured", measured, "tracks, or a dictionary of means and standard errors,")
 
 
 def _is_pair(value: Any) -> bool:

@@ -3,7 +3,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from itertools import combinations
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, TypeVar
@@ -17,7 +17,7 @@ from ..draw import words
 from ..errors import ConfigurationError, refuse
 from ..results.studies import Study
 from . import space
-from .emulator import Array, Emulator, Prior, shares, weighted
+from .emulator import Array, Prior, shares, weighted
 from .measurement import Measurement, differences
 
 if TYPE_CHECKING:
@@ -58,12 +58,12 @@ class Fit:
     effective_sample_size: float  #: independent draws with the same information as the weighted ones
     notes: list[str]
     prior: Prior
-    tracks: dict[str, tuple[_tracks.Tracks, _tracks.Tracks | None]] = field(default_factory=dict)
+    tracks: dict[str, tuple[_tracks.Tracks, _tracks.Tracks | None]]
     """By condition, "" without one: measured tracks, and simulated ones of the points that fit best."""
-    source: dict[str, str] = field(default_factory=dict)  #: folders of studies, file of the tracks, seed
-    _left: Array = field(default_factory=lambda: np.empty((0, 0)), repr=False)  # plausible points of the unit cube
-    _there: Array = field(default_factory=lambda: np.empty((0, 0)), repr=False)  # those that were simulated
-    _like: Study | None = field(default=None, repr=False)  # of which the next wave is
+    source: dict[str, str]  #: folders of studies, file of the tracks, seed
+    _left: Array  # plausible points of the unit cube
+    _there: Array  # those that were simulated
+    _like: Study | None = None  # of which the next wave is
 
     @property
     def measured(self) -> _tracks.Tracks | None:
@@ -132,15 +132,14 @@ class Part:
         found = self.emulators.sensitivity
         return found.assign(readout=[words.at(name, self.condition) for name in found["readout"]])
 
-    def predicted(self, cube: Array) -> tuple[Array, Array]:
-        return predictions(self.emulators.processes, cube)
-
     def likelihood(self, means: Array, errors: Array) -> Array:
-        """In the logarithm. Numbers whose emulators predict nothing would add noise only."""
+        """In the logarithm. Errors of emulators are independent: each read-out has its own. Numbers whose emulators predict nothing would add
+        noise only."""
         exact, ranges = (np.flatnonzero(self.tells & one) for one in (self.low == self.high, self.low < self.high))
         found = np.zeros(len(means))
         if len(exact):
-            found = _log_likelihood(means[:, exact], errors[:, exact], self.low[exact], self.covariance[np.ix_(exact, exact)], self.wanted.cells)
+            whole = self.covariance[np.ix_(exact, exact)] + errors[:, exact, None] * np.eye(len(exact)) * errors[:, None, exact]
+            found = log_density((means[:, exact] - self.low[exact])[:, None], whole, self.wanted.cells)[:, 0]
         for k in ranges:
             found = found + _log_inside(self.low[k], self.high[k], means[:, k], np.sqrt(errors[:, k]**2 + self.covariance[k, k]))
         return found
@@ -170,7 +169,7 @@ class Part:
         if not points.tracks:
             return None
         at = prior.to_cube(points.parameters[prior.names].to_numpy(float))
-        many, likely = len(self.measured), self.likelihood(*self.predicted(at))
+        many, likely = len(self.measured), self.likelihood(*self.emulators.predicted(at))
         chosen = {name: track for k in np.argsort(-likely)[:many] for name, track in points.tracks[k].items()}
         return _tracks.Tracks(dict(list(chosen.items())[:many]), points.tracks[0].interval, [])
 
@@ -201,10 +200,10 @@ def joint(parts: list[Part], held: list[Part], seed: int) -> Fit:
     known = [(part, part.emulators.of_prior[1:]) for part in parts]
 
     def likelihood(cube: Array) -> Array:
-        return np.sum([part.likelihood(*part.predicted(prior.snapped(cube))) for part in parts], axis=0)
+        return np.sum([part.likelihood(*part.emulators.predicted(prior.snapped(cube))) for part in parts], axis=0)
 
     def far(cube: Array) -> Array:
-        return np.hstack([part.far(*part.predicted(prior.snapped(cube))) for part in parts])
+        return np.hstack([part.far(*part.emulators.predicted(prior.snapped(cube))) for part in parts])
 
     random = np.random.default_rng(seed)
     cube, log_weight = weighted(likelihood, even, np.sum([part.likelihood(*one) for part, one in known], axis=0), np.zeros(len(even)), random)
@@ -245,11 +244,6 @@ def _notes_of(parts: Sequence[Part], held: Sequence[Part], effective: float) -> 
     return notes + [note for part in parts for note in part.missed()]
 
 
-def predictions(emulators: Sequence[Emulator], at: Array) -> tuple[Array, Array]:
-    both = [emulator(at) for emulator in emulators]
-    return np.column_stack([mean for mean, _ in both]), np.column_stack([error for _, error in both])
-
-
 def _require_same(parts: Sequence[Part]) -> None:
     """All emulators are over the same parameters, or there are reasons why not."""
     own = [set(part.emulators.prior.names) for part in parts]
@@ -258,15 +252,8 @@ def _require_same(parts: Sequence[Part]) -> None:
         raise ConfigurationError("\n".join(note for note in notes if any(f"{name}: is " in note for name in odd)))
 
 
-def _log_likelihood(means: Array, errors: Array, value: Array, covariance: Array, cells: int) -> Array:
-    """Errors of emulators are independent: each read-out has its own. A covariance that is itself estimated from n tracks
-    makes a t distribution of the normal one (Sellentin and Heavens 2016)."""
-    whole = covariance + errors[:, :, None] * np.eye(len(value)) * errors[:, None, :]
-    return log_density((means - value)[:, None], whole, cells)[:, 0]
-
-
 def log_density(off: Array, whole: Array, cells: int) -> Array:
-    """Up to a constant.
+    """Up to a constant. A covariance that is itself estimated from n tracks makes a t distribution of the normal one (Sellentin and Heavens 2016).
 
     :param off: (point, case, number)   :param whole: covariance of the numbers at each point
     :param cells: that it was estimated from; or 0
@@ -292,13 +279,13 @@ def _log_inside(low: float, high: float, means: Array, errors: Array) -> Array:
 
 def _shown(part: Part, drawn: Array, best: Array, held: bool) -> pandas.DataFrame:
     """Rows of ``Fit.readouts``."""
-    after, _ = part.predicted(drawn[:1000])
+    after, _ = part.emulators.predicted(drawn[:1000])
     low, high = np.percentile(after, [5, 95], axis=0)
     processes, cube = part.emulators.processes, part.emulators.prior.snapped(best[None])
     return require_pandas().DataFrame({
         "measured": part.wanted.table["value"].to_numpy(float), "standard_error": part.wanted.table["standard_error"].to_numpy(float),
         "low": part.low, "high": part.high, "posterior_mean": after.mean(axis=0), "posterior_5": low, "posterior_95": high,
-        "implausibility": part.far(*part.predicted(cube))[0], "predicted": [one.explained for one in processes],
+        "implausibility": part.far(*part.emulators.predicted(cube))[0], "predicted": [one.explained for one in processes],
         "predicted_error": [one.explained_error for one in processes], "coverage": [one.coverage for one in processes],
         "held_back": held}, index=part.names)
 

@@ -4,7 +4,6 @@ from __future__ import annotations
 import html
 import io
 import re
-import textwrap
 from collections.abc import Callable, Iterable
 from datetime import datetime, timezone
 from typing import TYPE_CHECKING, Any
@@ -119,18 +118,15 @@ def figure(draw: Callable[[], Any], caption: str) -> str:
 
 
 def new(width: float, height: float) -> Any:
-    from matplotlib.backends.backend_agg import FigureCanvasAgg
     from matplotlib.figure import Figure
 
-    made = Figure(figsize=(width, height), layout="constrained")
-    FigureCanvasAgg(made)
-    return made
+    return Figure(figsize=(width, height), layout="constrained")
 
 
 def wrapped(name: str, letters: int) -> str:
     """Words, symbol and unit of a parameter or read-out, in lines, for a figure."""
     readout, between, condition = name.partition(" at ")
-    lines = _words.typeset(textwrap.fill(_words.title(readout), letters, break_long_words=False))
+    lines = _words.axis_title(readout, letters)
     return f"{lines}\nat {_words.plain(condition)}" if between else lines
 
 
@@ -173,19 +169,15 @@ def ticks(prior: Prior, column: int) -> tuple[Array, list[str]]:
 def corner(prior: Prior, sample: Array) -> Any:
     """Each parameter and each pair of them over the whole prior: densities of a sample of the unit cube, with lines around 50 and 90 %, the prior
     dashed."""
-    names = prior.names
-    n = len(names)
+    n = len(prior.names)
     made = new(min(2.2 * n + 0.9, 12.0), min(2.0 * n + 0.8, 11.4))
-    axes = made.subplots(n, n, squeeze=False)
     letters = max(11, int(60 / max(n, 2)))
-    for row in range(n):
-        for column in range(n):
-            ax = axes[row][column]
-            if column > row:
-                ax.set_axis_off()
-                continue
-            _shown_density(ax, sample[:, [column, row][: 1 if row == column else 2]])
-            _finish(ax, prior, (row, column), letters)
+    for (row, column), ax in np.ndenumerate(made.subplots(n, n, squeeze=False)):
+        if column > row:
+            ax.set_axis_off()
+            continue
+        _shown_density(ax, sample[:, [column, row][: 1 if row == column else 2]])
+        _finish(ax, prior, (row, column), letters)
     return made
 
 
@@ -226,8 +218,9 @@ def _finish(ax: Any, prior: Prior, place: tuple[int, int], letters: int) -> None
 def page_of_fit(fit: Fit) -> str:
     """report.html: it needs no other file and no network."""
     short = fit.table[["prior_5", "prior_95", "posterior_5", "posterior_50", "posterior_95", "width", "constrained", "at_bound"]]
-    notes = "".join(f"<li>{note(text)}</li>" for text in fit.notes) or "<li>none</li>"
-    return document("Fitted parameters", facts(fit), f"""
+    cells = [f"{len(tracks)}, every {tracks.interval:g} s{' at ' * bool(name)}{name}" for name, (tracks, _) in fit.tracks.items()]
+    facts = [("study", fit.source["study"]), ("measured tracks", fit.source["tracks"]), ("number of tracks", "; ".join(cells)), ("seed", fit.source["seed"])]
+    return document("Fitted parameters", facts, f"""
 <p>{share(fit.plausible)} of the prior is plausible: there no number is off by more than three standard errors.</p>
 <h2>Parameters</h2>
 {table(short, _heads)}
@@ -237,7 +230,7 @@ def page_of_fit(fit: Fit) -> str:
 {figure(lambda: corner(fit.prior, fit.prior.to_cube(fit.sample[fit.prior.names].to_numpy(float))),
         "Posterior of each parameter (the prior is the dashed line), and of each pair, with 50 and 90 % of it, over the whole prior")}
 <h2>What the data cannot tell</h2>
-<ul>{notes}</ul>
+<ul>{_items(fit.notes) or "<li>none</li>"}</ul>
 {figure(lambda: _widths(fit), "Width of the 90 % interval over that of the prior: at 1 the data tell nothing, and below 0.8 (dashed) a parameter is constrained")}
 <h2>Fit against data</h2>
 {table(fit.readouts, _heads)}
@@ -255,13 +248,6 @@ there.</small></p>
 <h2>Which parameters the read-outs depend on</h2>
 {figure(lambda: _sobol(fit), "Sobol's first (light) and total (dark) indices of the mean read-outs, with 90 % intervals")}
 {table(fit.sensitivity.set_index("readout"), _heads)}""")
-
-
-def facts(fit: Fit) -> list[tuple[str, str]]:
-    """Of what the page was made."""
-    cells = [f"{len(tracks)}, every {tracks.interval:g} s{' at ' * bool(name)}{name}" for name, (tracks, _) in fit.tracks.items()]
-    return [("study", fit.source.get("study", "")), ("measured tracks", fit.source.get("tracks", "")), ("number of tracks", "; ".join(cells)),
-            ("seed", fit.source.get("seed", ""))]
 
 
 def share(value: float) -> str:
@@ -390,7 +376,7 @@ def _treated_over_control(own: pandas.DataFrame) -> Any:
     made, at = new(9.0, 1.0 + 0.5 * len(rows)), np.arange(len(rows))
     left, right = made.subplots(1, 2, sharey=True)
     colours = np.where(rows["candidate"].to_numpy(bool), blue, grey)
-    low, middle, high = (rows[f"ratio_{q}"].to_numpy(float) for q in (5, 50, 95))
+    low, middle, high = rows[["ratio_5", "ratio_50", "ratio_95"]].to_numpy(float).T
     left.hlines(at, low, high, color=colours, linewidth=4)
     left.scatter(middle, at, color=colours, zorder=3)
     left.axvline(1, color=grey, linewidth=0.8)

@@ -117,8 +117,7 @@ def cell_parameters() -> dict[str, Parameter]:
 
 def gone() -> dict[str, dict[str, Any]]:
     """Parameters that earlier versions had, by their path: the value that is ``left``, and the ``fate`` of the others, which stand for {}."""
-    found: dict[str, dict[str, Any]] = _document()["x-gone"]
-    return found
+    return dict(_document()["x-gone"])
 
 
 def _section_entries() -> list[tuple[str, dict[str, Any]]]:
@@ -135,8 +134,7 @@ def _section_entries() -> list[tuple[str, dict[str, Any]]]:
 
 @functools.cache
 def _document() -> dict[str, Any]:
-    document: dict[str, Any] = table("scenario.schema.json")
-    return document
+    return dict(table("scenario.schema.json"))
 
 
 def table(name: str) -> Any:
@@ -152,8 +150,8 @@ def judge(path: str, value: Any) -> tuple[str, float]:
     :raises CoreNotFound: without the compiled module
     """
     words = "a number beyond 64 bits" if isinstance(value, int) else type_words(value)
-    found: tuple[str, float] = core().judged(path, value.encode("utf-8", "replace").decode() if isinstance(value, str) else value, words)
-    return found
+    fault, number = core().judged(path, value.encode("utf-8", "replace").decode() if isinstance(value, str) else value, words)
+    return fault, number
 
 
 def unknown_words(path: str, is_section: bool = False) -> str:

@@ -94,8 +94,7 @@ class Tracks(Mapping[str, Any]):
         """Mean step of the tracks that go on at each time, summed up [um], a row an interval from the first start on: the drift of the
         stage, if cells have no common direction of their own. With n tracks its error is their mean step over the root of n; where fewer
         than five go on there is none."""
-        found: np.ndarray[Any, Any] = core().drift(list(self.values()), list(self._starts.values()), self.interval)
-        return found
+        return np.asarray(core().drift(list(self.values()), list(self._starts.values()), self.interval))
 
     def without_drift(self) -> Tracks:
         """The tracks less ``drift()``. It takes a common direction of the cells away, too.
@@ -186,8 +185,7 @@ class Tracks(Mapping[str, Any]):
         reach = {name: np.nanmax(np.abs(track), initial=0.0) for name, track in self.items()}
         refuse([f"track {name}: positions reach {far:.3g} um; read-outs are defined up to {motility.farthest:g} um (pixel)"
                 for name, far in reach.items() if not far <= motility.farthest])
-        parts: _core.TrackParts = core().TrackParts(list(self.values()), self.interval)
-        return parts
+        return core().TrackParts(list(self.values()), self.interval)
 
     @cached_property
     def _drawn(self) -> np.ndarray[Any, Any]:
@@ -301,8 +299,7 @@ def of(result: Run | Study, interval: float | None = None) -> Tracks:
 
     :param interval: [s] of the microscope: a whole multiple of ``output.track_interval``
     """
-    if not isinstance(result, (Run, Study)):
-        raise TypeError(f"result must be a run or a study, not {type(result).__name__}")
+    arguments.one_of("result", result, Run, Study)
     table = result.tracks if isinstance(result, Run) else result.tracks()
     keys: Any = "track" if isinstance(result, Run) else ["run", "track"]
     found, short, last = {}, 0, 0
@@ -318,10 +315,8 @@ def of(result: Run | Study, interval: float | None = None) -> Tracks:
     steps = Counter(float(f"{step:.6g}") for times, _ in found.values() for step in np.diff(times))
     common = steps.most_common(1)[0][0] if steps else 1.0
     for name, (times, _) in found.items():
-        off = [step for step in np.diff(times) if abs(step / common - 1) > _off_grid]
-        if off:
-            raise ConfigurationError(f"{result.folder}: track {name} has a step of {off[0]:g} s, most have {common:g} s: one "
-                                     "interval is needed")
+        if off := [step for step in np.diff(times) if abs(step / common - 1) > _off_grid]:
+            raise ConfigurationError(f"{result.folder}: track {name} has a step of {off[0]:g} s, most have {common:g} s: one interval is needed")
     notes = [f"{last} last positions are left out: they come less than an interval after the one before"] if last else []
     notes += [f"{short} tracks of fewer than 2 positions are left out"] if short else []
     tracks = Tracks({name: at for name, (_, at) in found.items()}, common, notes,
