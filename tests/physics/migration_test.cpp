@@ -125,7 +125,8 @@ TEST(Migration, InternalForcesCancel) { // third law over matrix, cell and all t
   double most = 0.0;
   for (int k = 0; k < 300; ++k) {
     advance(s, p, p.run.time_step, w);
-    assemble(s, p, p.run.time_step, w, {});
+    assemble(s, p, p.run.time_step, w);
+    complete_forces(s, p, w, {});
     std::vector<Vec2> external(w.force.size(), Vec2::Zero());
     const std::uint32_t first = first_node(s, 0);
     add_growth(s.cells[0], p.protrusion, 1.0, w.cells[0].normals, first, external, w.drag, s.t, w.laws.growth_force);

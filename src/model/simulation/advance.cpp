@@ -35,11 +35,11 @@ double time_after(double t, double dt) {
 std::optional<StepTooLong> advance(State& s, const Parameters& p, double dt, Workspace& w, const Loads& loads,
                                    const StepBounds& bounds) {
   // momentum balances at x(t), Eqs. 1 and 2: A v = F
-  side_by_side({[&] { assemble(s, p, dt, w, loads); },
+  side_by_side({[&] { assemble(s, p, dt, w); },
                 [&] {
                   if (!bounds.tried_once) extrapolate_velocities(s, w);
                 }});
-  if (auto refused = solve_velocities(s, p, dt, w, bounds)) return refused;
+  if (auto refused = solve_velocities(s, p, dt, w, loads, bounds)) return refused;
 
   // positions, density, stress
   move(s, p, dt, w);

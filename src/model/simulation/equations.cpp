@@ -126,13 +126,18 @@ void assemble_stress(const State& s, const Parameters& p, Workspace& w) {
 
 } // namespace
 
-void assemble(const State& s, const Parameters& p, double dt, Workspace& w, const Loads& loads) {
+void assemble(const State& s, const Parameters& p, double dt, Workspace& w) {
   w.theta = relaxation_theta(p, dt, w.limits);
   w.force.resize(node_count(s));
   side_by_side(
       {[&] { assemble_drag(s, p, dt, w); }, [&] { assemble_cells(s, p, dt, w); }, [&] { assemble_stress(s, p, w); }});
   for (std::size_t k = 0; k < s.cells.size(); ++k) pin_bases(s.cells[k], p, first_node(s, k), w.drag);
   add_fibre_forces(s.ecm, p.ecm, p.fibres, w.fibres, of_step(w) * dt, w.force, w.drag);
+  for (double& c : w.drag.links.c) c *= of_step(w);
+  for (double& c : w.drag.directed.c) c *= of_step(w);
+}
+
+void complete_forces(const State& s, const Parameters& p, Workspace& w, const Loads& loads) {
   add_fluid_forces(s.ecm, p.ecm, w.neighbours.pairs(), w.fluid_pressure, w.force);
   w.on_matrix.add_to(w.force);
   if (loads) {
@@ -140,10 +145,8 @@ void assemble(const State& s, const Parameters& p, double dt, Workspace& w, cons
     loads(s, w.force);
     w.outer_force += sum(w.force) - inner;
   }
-  const double share = of_step(w);
-  for (double& c : w.drag.links.c) c *= share;
-  for (double& c : w.drag.directed.c) c *= share;
-  const auto add = [&, F = w.drag.F.data(), force = w.force.data()](std::size_t begin, std::size_t end) {
+  const auto add = [share = of_step(w), F = w.drag.F.data(), force = w.force.data()](std::size_t begin,
+                                                                                     std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) F[i] += share * force[i];
   };
   parallel_ranges(s.ecm.size(), parallel_block, [&](std::size_t begin, std::size_t end) {

@@ -12,14 +12,18 @@ namespace matrigrate {
 /// Forces from outside the model, added to the forces of the particles [nN]: loads of verification cases.
 using Loads = std::function<void(const State&, std::span<Vec2>)>;
 
-/// Updates neighbours, shapes and surroundings at x(t), and makes A v = F of the two momentum balances.
+/// Updates neighbours, shapes and surroundings at x(t), and makes A v = F of the two momentum balances, but for the
+/// last part of F.
 /// Eqs. (1) and (2), left side: viscous drag of all pairs of the matrix (ecm/loop/viscosity; evaluated with a lag,
 /// MODEL.md, I30), of the cells in the liquid, and between cells and matrix (contact/viscous).
-/// Eq. (2), right side: stress (ecm/loop/stress), fibres (ecm/loop/fibres) and pressure
-/// of the fluid (ecm/loop/fluid); Eq. (1), right side: springs, bending, area, repulsion and actomyosin (cell), contact
-/// (contact/elastic), growth, pull of maturation and adhesion (protrusion); nuclei (cell/nucleus, contact/nucleus);
-/// contact of cells (contact/cells); loads. Stiff forces are linearly implicit: they add dt times their stiffness to
-/// the drag.
-void assemble(const State& s, const Parameters& p, double dt, Workspace& w, const Loads& loads);
+/// Eq. (2), right side: stress (ecm/loop/stress) and fibres (ecm/loop/fibres); Eq. (1), right side: springs, bending,
+/// area, repulsion and actomyosin (cell), contact (contact/elastic), growth, pull of maturation and adhesion
+/// (protrusion); nuclei (cell/nucleus, contact/nucleus); contact of cells (contact/cells). Stiff forces are linearly
+/// implicit: they add dt times their stiffness to the drag.
+void assemble(const State& s, const Parameters& p, double dt, Workspace& w);
+
+/// Adds the rest of Eq. (2), right side: pressure of the fluid (ecm/loop/fluid), what the cells do to the matrix, and
+/// loads; then F is whole. A is only read: a solver prepares itself beside.
+void complete_forces(const State& s, const Parameters& p, Workspace& w, const Loads& loads);
 
 } // namespace matrigrate

@@ -111,9 +111,10 @@ void extrapolate_velocities(const State& s, Workspace& w) {
   go_on(s.ecm.size(), w.v.size());
 }
 
-std::optional<StepTooLong> solve_velocities(State& s, const Parameters& p, double dt, Workspace& w,
+std::optional<StepTooLong> solve_velocities(State& s, const Parameters& p, double dt, Workspace& w, const Loads& loads,
                                             const StepBounds& bounds) {
-  w.health.solve = w.solver->solve(w.drag, w.v);
+  w.health.solve = w.solver->solve(
+      w.drag, [&] { complete_forces(s, p, w, loads); }, w.v);
   require_solved(s, p, w.health.solve);
   std::optional<StepTooLong> further, crossed;
   side_by_side({[&] { further = too_far(s, dt, w.limits, w.v, bounds.max_move); },

@@ -9,7 +9,8 @@
 
 namespace matrigrate {
 
-SolveReport ConjugateGradient::solve(const DragSystem& A, std::span<Vec2> v) {
+SolveReport ConjugateGradient::solve(const DragSystem& A, const std::function<void()>& find_F, std::span<Vec2> v) {
+  find_F();
   const std::size_t n = A.size();
   m_r.resize(n);
   m_z.resize(n);

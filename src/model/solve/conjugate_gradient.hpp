@@ -15,7 +15,8 @@ public:
   /// @param max_iterations  maximum number of iterations
   ConjugateGradient(double tolerance, int max_iterations) : m_tolerance(tolerance), m_max_iterations(max_iterations) {}
 
-  SolveReport solve(const DragSystem& A, std::span<Vec2> v) override;
+  using DragSolver::solve;
+  SolveReport solve(const DragSystem& A, const std::function<void()>& find_F, std::span<Vec2> v) override;
 
 private:
   double m_tolerance;

@@ -4,6 +4,7 @@
 #include "solve/row_blocks.hpp"
 
 #include <cstdint>
+#include <functional>
 #include <initializer_list>
 #include <span>
 #include <utility>
@@ -124,9 +125,15 @@ class DragSolver {
 public:
   virtual ~DragSolver() = default;
 
-  /// @param A  the system
-  /// @param v  first guess in, solution out [um/s]
-  virtual SolveReport solve(const DragSystem& A, std::span<Vec2> v) = 0;
+  /// @param A       the system
+  /// @param find_F  makes A.F whole; called once, beside what needs A alone
+  /// @param v       first guess in, solution out [um/s]
+  virtual SolveReport solve(const DragSystem& A, const std::function<void()>& find_F, std::span<Vec2> v) = 0;
+
+  SolveReport solve(const DragSystem& A, std::span<Vec2> v) {
+    return solve(
+        A, [] {}, v);
+  }
 };
 
 } // namespace matrigrate

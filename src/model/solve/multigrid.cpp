@@ -23,11 +23,12 @@ double norm(const NodeVectors& a) {
 
 } // namespace
 
-SolveReport Multigrid::solve(const DragSystem& A, std::span<Vec2> v) {
+SolveReport Multigrid::solve(const DragSystem& A, const std::function<void()>& find_F, std::span<Vec2> v) {
   SolveReport report;
   double F = 0.0, r = 0.0;
   side_by_side({[&] { prepare(A); },
                 [&] {
+                  find_F();
                   split(A.F, A.pairs.size(), m_F);
                   F = norm(m_F);
                   split(v, A.pairs.size(), m_v);

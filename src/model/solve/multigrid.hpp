@@ -24,7 +24,8 @@ public:
   Multigrid(const DragSystem& reference, double spacing, double tolerance, int max_iterations)
       : m_tolerance(tolerance), m_max_iterations(max_iterations), m_coarse(reference, 2.0 * spacing) {}
 
-  SolveReport solve(const DragSystem& A, std::span<Vec2> v) override;
+  using DragSolver::solve;
+  SolveReport solve(const DragSystem& A, const std::function<void()>& find_F, std::span<Vec2> v) override;
 
 private:
   void prepare(const DragSystem& A);

@@ -123,6 +123,17 @@ TEST_P(MultigridOn, TakesNoIterationFromTheSolution) {
   EXPECT_EQ(v, before);
 }
 
+TEST_P(MultigridOn, TakesForcesThatAreFoundBesideItsPreparation) {
+  Multigrid known(reference.A, 2.0, 1e-6, 200);
+  Multigrid found(reference.A, 2.0, 1e-6, 200);
+  DragSystem A = now.A;
+  std::ranges::fill(A.F, Vec2::Zero());
+  std::vector<Vec2> v(A.size(), Vec2::Zero());
+  const auto find_F = [&] { A.F = now.A.F; };
+  EXPECT_TRUE(found.solve(A, find_F, v).converged);
+  EXPECT_EQ(v, solution(now.A, known));
+}
+
 // Iterations from rest to 1e-6, at most. The grids stay over the reference: a matrix stirred through 6 radians
 // takes 43.
 INSTANTIATE_TEST_SUITE_P(Cases, MultigridOn,
