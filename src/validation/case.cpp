@@ -12,11 +12,6 @@ using CaseOf = Result(const Parameters&);
 CaseOf patch, rigid, stretch, creep, relaxation, point_force, load, poiseuille, tearing, convergence, step_limit,
     fibres, fibres_uniaxial, protrusion, maturation, time_step, disassembly, initiation, follow;
 
-// Plots of cases from their tables alone, so that they can be made of kept tables. They throw an InputOutputError if
-// the table has not the columns of the case.
-using PlotOf = report::Plot(const store::Table&);
-PlotOf plot_fibres, plot_fibres_uniaxial, plot_disassembly;
-
 bool Check::holds() const {
   switch (sense) {
   case Sense::at_least:
@@ -30,6 +25,10 @@ bool Check::holds() const {
 }
 
 bool Result::holds() const { return !checks.empty() && std::ranges::all_of(checks, &Check::holds); }
+
+report::Series Result::curve(std::string label, std::string_view x, std::string_view y, report::Mark mark) const {
+  return {.label = std::move(label), .x = table.column(x), .y = table.column(y), .mark = mark};
+}
 
 void Result::add(std::string name, std::string caption, report::Plot plot) {
   plot.name = std::move(name);
@@ -45,9 +44,7 @@ Parameters default_parameters() {
 
 Result run_case(const Case& which, const Parameters& p) {
   require_stable_step(p);
-  Result result = which.run(p);
-  if (which.plot) result.plots.insert(result.plots.begin(), which.plot(result.table));
-  return result;
+  return which.run(p);
 }
 
 const std::vector<Case>& cases() {
@@ -68,14 +65,13 @@ const std::vector<Case>& cases() {
        step_limit},
       {"fibres",
        "Isotropic fibrillar gels of three concentrations, stretched with held sides, against the semi-affine law.",
-       fibres, plot_fibres},
-      {"fibres-uniaxial", "A gel of parallel fibres, stretched along and across them with held sides.", fibres_uniaxial,
-       plot_fibres_uniaxial},
+       fibres},
+      {"fibres-uniaxial", "A gel of parallel fibres, stretched along and across them with held sides.",
+       fibres_uniaxial},
       {"protrusion", "Length of a single protrusion over time, as E and direction vary.", protrusion},
       {"maturation", "Maturation of a single protrusion, as E varies.", maturation},
       {"time-step", "One protrusion followed with shorter and shorter steps, and with adaptive ones.", time_step},
-      {"disassembly", "Rate of disassembly against force (Eq. 7); lifetimes under constant force.", disassembly,
-       plot_disassembly},
+      {"disassembly", "Rate of disassembly against force (Eq. 7); lifetimes under constant force.", disassembly},
       {"follow", "A lone protrusion whose adhesion never lets go: how far the body follows, and what stops it.",
        follow},
       {"initiation", "Waiting times and places of protrusions of a polarized cell.", initiation},

@@ -7,6 +7,7 @@
 
 #include <functional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace matrigrate::validation {
@@ -38,6 +39,9 @@ struct Result {
 
   bool holds() const; ///< all checks hold, and there is at least one
 
+  /// Two columns of the table.
+  report::Series curve(std::string label, std::string_view x, std::string_view y,
+                       report::Mark mark = report::Mark::line) const;
   void add(std::string name, std::string caption, report::Plot plot);
 };
 
@@ -46,8 +50,6 @@ struct Case {
   std::string name;    ///< as typed after `validate`
   std::string summary; ///< one sentence
   std::function<Result(const Parameters&)> run;
-  /// The case's plot from its table alone; empty where `run` makes the plot.
-  std::function<report::Plot(const store::Table&)> plot = {};
 };
 
 /// What the cases start from: the defaults, with a drag system solved so closely that the solver's error does not show

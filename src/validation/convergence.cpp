@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <functional>
 #include <numbers>
 
 namespace matrigrate::validation {
@@ -50,9 +51,7 @@ double static_error(const Parameters& p, double dp, bool exact_walls) {
     for (std::size_t i = 0; i < s.ecm.size(); ++i) force[i] += s.ecm.V0 * q.ecm.thickness * field.b(s.ecm.X[i]);
   };
   const double tau = q.ecm.viscosity / field.m.G;
-  if (exact_walls)
-    drive_clamped(
-        a, [&](const Vec2& X) { return field.u(X); }, tau, load);
+  if (exact_walls) drive_clamped(a, std::bind_front(&Manufactured::u, field), tau, load);
   a.march_for(14.0 * tau, load);
   double difference = 0.0, norm = 0.0;
   for (std::size_t i = 0; i < a.s.ecm.size(); ++i) {
@@ -94,8 +93,7 @@ Result convergence(const Parameters& p) {
   report::Series inside{.label = "walls follow the field"}, clamped{.label = "walls at rest"};
   for (const double dp : {4.0, 2.0, 1.0}) {
     for (auto [series, exact_walls] : {std::pair(&inside, true), std::pair(&clamped, false)}) {
-      series->x.push_back(dp);
-      series->y.push_back(static_error(p, dp, exact_walls));
+      series->add(dp, static_error(p, dp, exact_walls));
       result.table.add({exact_walls ? 0.0 : 1.0, dp, series->y.back()});
     }
   }
@@ -104,8 +102,7 @@ Result convergence(const Parameters& p) {
   const double finer = creep_displacement(p, 1280);
   const double limit = 2.0 * finer - finest; // Richardson, first order
   for (const int n : {40, 80, 160, 320}) {
-    steps.x.push_back(p.ecm.viscosity / moduli(p.ecm).G / n);
-    steps.y.push_back(std::abs(creep_displacement(p, n) / limit - 1.0));
+    steps.add(p.ecm.viscosity / moduli(p.ecm).G / n, std::abs(creep_displacement(p, n) / limit - 1.0));
     result.table.add({2.0, steps.x.back(), steps.y.back()});
   }
   result.checks.push_back(
@@ -116,20 +113,20 @@ Result convergence(const Parameters& p) {
        "a rigid wall is placed to within a spacing: first order at the wall, second inside; between the two"});
   result.checks.push_back(
       {"order in dt", order_of(steps), 1.0, 0.05, "explicit Euler; second-order terms of a 1/320 step"});
-  report::Plot space{.title = "Convergence in particle spacing",
-                     .x_label = "spacing of particles, dp (µm)",
-                     .y_label = "relative error",
-                     .log_x = true,
-                     .log_y = true};
-  space.series = {inside, clamped, ideal(inside, 2.0, "second order"), ideal(clamped, 1.0, "first order")};
-  report::Plot time{.title = "Convergence in time step",
-                    .x_label = "time step, dt (s)",
-                    .y_label = "relative error",
-                    .log_x = true,
-                    .log_y = true};
-  time.series = {steps, ideal(steps, 1.0, "first order")};
-  result.add("convergence", "Static error of a manufactured field, h/dp kept.", space);
-  result.add("step", "Error of a creep test after one relaxation time.", time);
+  result.add("convergence", "Static error of a manufactured field, h/dp kept.",
+             {.title = "Convergence in particle spacing",
+              .x_label = "spacing of particles, dp (µm)",
+              .y_label = "relative error",
+              .log_x = true,
+              .log_y = true,
+              .series = {inside, clamped, ideal(inside, 2.0, "second order"), ideal(clamped, 1.0, "first order")}});
+  result.add("step", "Error of a creep test after one relaxation time.",
+             {.title = "Convergence in time step",
+              .x_label = "time step, dt (s)",
+              .y_label = "relative error",
+              .log_x = true,
+              .log_y = true,
+              .series = {steps, ideal(steps, 1.0, "first order")}});
   return result;
 }
 

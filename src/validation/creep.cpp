@@ -13,25 +13,15 @@ namespace matrigrate::validation {
 
 namespace {
 
-/// Displacement of the middle of a layer under a uniform body force, from rest.
-struct Creep {
-  std::vector<double> t, u; // [s], [um]
-  double walls;             // distance of the walls [um]
-};
-
-Creep creep_of(const Parameters& p, int rows, const Vec2& b, double dt, double seconds) {
-  Parameters q = p;
-  q.run.time_step = dt;
-  const double dp = p.ecm.particle_spacing;
-  Simulation a(q, strip(p.ecm, 12 * dp, rows * dp));
-  Creep c{.t = {0.0}, .u = {0.0}, .walls = wall_distance(a.s.ecm)};
+/// Displacement [um] of the middle of a layer under a uniform body force, from rest, over time [s].
+report::Series creep_of(Simulation& a, const Vec2& b, double seconds) {
+  report::Series creep{.x = {0.0}, .y = {0.0}};
   const Vec2 direction = b.normalized();
-  a.march_for(seconds, body_force(q, b), [&](const State& s) {
-    c.t.push_back(s.t);
-    c.u.push_back(direction.dot(mid_displacement(s.ecm, q.ecm)));
+  a.march_for(seconds, body_force(a.p, b), [&](const State& s) {
+    creep.add(s.t, direction.dot(mid_displacement(s.ecm, a.p.ecm)));
     return true;
   });
-  return c;
+  return creep;
 }
 
 /// What a layer of some height shows, over the closed form with walls at their innermost rows.
@@ -46,22 +36,23 @@ double extrapolated(double low, double high) { return 2.0 * high - low; }
 /// One direction of load: checks the time constant and the final displacement, and adds its curves.
 void examine(const Parameters& p, const std::string& name, const Vec2& direction, double modulus, Result& result,
              report::Plot& plot) {
-  const double tau = lattice_viscosity(p.ecm) / modulus;
-  const double dt = std::min(p.run.time_step, tau / 40.0);
+  const double tau = lattice_viscosity(p.ecm) / modulus, dp = p.ecm.particle_spacing;
+  Parameters q = p;
+  q.run.time_step = std::min(p.run.time_step, tau / 40.0);
   const double strain = 1e-3;
   std::vector<Reading> readings;
   for (const int rows : {24, 49}) { // wall distances of 25 and 50 spacings
-    const double b = 8.0 * modulus * strain / (rows * p.ecm.particle_spacing);
-    const Creep c = creep_of(p, rows, b * direction, dt, 9.0 * tau);
-    const double u_end = b * c.walls * c.walls / (8.0 * modulus);
-    readings.push_back({fit_time_constant(c.t, c.u, c.u.back()) / tau, c.u.back() / u_end});
-    report::Series measured{.label = fmt::format("{}, {:.0f} µm high", name, c.walls), .mark = report::Mark::points};
-    for (std::size_t k = 0; k < c.t.size(); ++k) {
-      const double ideal = 1.0 - std::exp(-c.t[k] / tau);
-      result.table.add({direction.x() != 0.0 ? 0.0 : 1.0, c.walls, c.t[k], c.u[k], u_end * ideal});
-      if (k % (c.t.size() / 24) != 0) continue;
-      measured.x.push_back(c.t[k] / tau);
-      measured.y.push_back(c.u[k] / u_end);
+    const double b = 8.0 * modulus * strain / (rows * dp);
+    Simulation a(q, strip(p.ecm, 12 * dp, rows * dp));
+    const double walls = wall_distance(a.s.ecm);
+    const report::Series creep = creep_of(a, b * direction, 9.0 * tau);
+    const std::vector<double>&t = creep.x, &u = creep.y;
+    const double u_end = b * walls * walls / (8.0 * modulus);
+    readings.push_back({fit_time_constant(t, u, u.back()) / tau, u.back() / u_end});
+    report::Series measured{.label = fmt::format("{}, {:.0f} µm high", name, walls), .mark = report::Mark::points};
+    for (std::size_t k = 0; k < t.size(); ++k) {
+      result.table.add({direction.x() != 0.0 ? 0.0 : 1.0, walls, t[k], u[k], u_end * (1.0 - std::exp(-t[k] / tau))});
+      if (k % (t.size() / 24) == 0) measured.add(t[k] / tau, u[k] / u_end);
     }
     plot.series.push_back(std::move(measured));
   }
@@ -69,7 +60,7 @@ void examine(const Parameters& p, const std::string& name, const Vec2& direction
   const double second = 4.0 * off * off + std::pow(2.0 / 25.0, 2);
   result.checks.push_back(
       {fmt::format("retardation time over mu/modulus, {}", name), extrapolated(readings[0].tau, readings[1].tau), 1.0,
-       second + 0.5 * dt / tau + std::exp(-9.0) / 0.05,
+       second + 0.5 * q.run.time_step / tau + std::exp(-9.0) / 0.05,
        "from two heights to an infinite one: second order in dp/H is left; half a step of explicit Euler"});
   result.checks.push_back({fmt::format("final displacement over the closed form, {}", name),
                            extrapolated(readings[0].u, readings[1].u), 1.0, second + std::exp(-9.0),
@@ -93,10 +84,7 @@ Result creep(const Parameters& p) {
   examine(p, "shear", Vec2(1.0, 0.0), m.G, result, plot);
   examine(p, "confined compression", Vec2(0.0, 1.0), m.longitudinal(), result, plot);
   report::Series closed{.label = "1 - exp(-t/tau)"};
-  for (int k = 0; k <= 90; ++k) {
-    closed.x.push_back(0.1 * k);
-    closed.y.push_back(1.0 - std::exp(-0.1 * k));
-  }
+  for (int k = 0; k <= 90; ++k) closed.add(0.1 * k, 1.0 - std::exp(-0.1 * k));
   plot.series.push_back(std::move(closed));
   result.remarks.push_back(fmt::format("The closed form uses the viscosity of the pair drag on the ideal lattice, "
                                        "{:.4f} of the nominal mu, because Eq. (2) adds 0.01 "

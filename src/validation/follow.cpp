@@ -6,7 +6,7 @@
 #include "protrusion/adhesion.hpp"
 #include "protrusion/membership.hpp"
 #include "validation/case.hpp"
-#include "validation/single_protrusion.hpp"
+#include "validation/specimen.hpp"
 
 #include <fmt/format.h>
 
@@ -81,11 +81,9 @@ Followed follow_one(const Parameters& p, store::Table& table) {
       found.length = one.length();
     }
     if (t >= follow_time - 600.0) found.last += found.moved - before;
-    found.path.x.push_back((t + interval) / 60.0);
-    found.path.y.push_back(found.moved);
-    found.pull.x.push_back((t + interval) / 60.0);
-    found.pull.y.push_back(F / full);
-    found.front = front(one.state(), q);
+    found.path.add((t + interval) / 60.0, found.moved);
+    found.pull.add((t + interval) / 60.0, F / full);
+    found.front = front(one.s, q);
     table.add({1e3 * q.ecm.youngs_modulus, q.actomyosin.force, found.f_mat, t + interval, found.moved, F, one.length(),
                static_cast<double>(found.front.solid), static_cast<double>(found.front.degrading),
                1e3 * found.front.pressure});
@@ -105,11 +103,9 @@ Result follow(const Parameters& p) {
   report::Plot pull{.title = "Force of the adhesion",
                     .x_label = "time since the end of maturation (min)",
                     .y_label = "force over 2 f_mat F_am"};
-  struct Setting {
-    double E, F_am; // [Pa], [nN]
-  };
-  constexpr std::array settings{Setting{50, 0.6},  Setting{100, 0.6}, Setting{200, 0.6}, Setting{400, 0.6},
-                                Setting{200, 0.4}, Setting{200, 1.2}, Setting{200, 2.0}};
+  constexpr std::array<std::pair<double, double>, 7> settings{
+      // E [Pa], F_am [nN]
+      {{50, 0.6}, {100, 0.6}, {200, 0.6}, {400, 0.6}, {200, 0.4}, {200, 1.2}, {200, 2.0}}};
   for (const auto& [E, F_am] : settings) {
     Parameters q = p;
     q.ecm.youngs_modulus = 1e-3 * E;
@@ -120,21 +116,21 @@ Result follow(const Parameters& p) {
       result.remarks.push_back(label + ": the adhesion was lost.");
       continue;
     }
+    const std::string force =
+        fmt::format("force over 2 f_mat F_am {:.0f} min after maturation at {}", judged / 60.0, label);
     if (E == 200.0 && F_am == 0.6) {
       result.checks.push_back({"displacement of the body at " + label + " (µm)", one.moved, 5.0, 0.0,
                                "a cell moves by its adhesions", Sense::at_least});
       result.checks.push_back({"displacement in the last ten minutes at " + label + " (µm)", one.last, 0.0, 1.0,
                                "the body comes to rest, at its adhesion or at the gel"});
       if (one.f_mat >= strong)
-        result.claims.push_back(
-            {fmt::format("force over 2 f_mat F_am {:.0f} min after maturation at {}", judged / 60.0, label), one.force,
-             0.1, 0.0, "F_adh \"decreases only when the protrusion shortens\", and the gel hinders little",
-             Sense::at_most});
+        result.claims.push_back({force, one.force, 0.1, 0.0,
+                                 "F_adh \"decreases only when the protrusion shortens\", and the gel hinders little",
+                                 Sense::at_most});
     }
     if (one.f_mat <= weak)
-      result.claims.push_back(
-          {fmt::format("force over 2 f_mat F_am {:.0f} min after maturation at {}", judged / 60.0, label), one.force,
-           0.1, 0.0, "a weak pull stays under p_th, so that the gel carries the body", Sense::at_least});
+      result.claims.push_back({force, one.force, 0.1, 0.0,
+                               "a weak pull stays under p_th, so that the gel carries the body", Sense::at_least});
     result.remarks.push_back(
         fmt::format("{}: f_mat {:.2f}; moved {:.1f} µm, of it {:.1f} in the last ten minutes; {:.0f} min after "
                     "maturation the adhesion "

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <utility>
 
 namespace matrigrate::validation {
 
@@ -16,12 +17,9 @@ namespace {
 
 constexpr std::uint64_t cells = 1000;
 
-struct First {
-  double t = 0.0;     // of the first protrusion of a polarized cell [s]
-  double place = 0.0; // among the particles of the front, from 0 to 1
-};
-
-First wait(Parameters p, std::uint64_t seed, const Cell& start, const std::vector<std::uint8_t>& of_front) {
+/// Time of the first protrusion of a polarized cell [s], and its place among the particles of the front, from 0 to 1.
+std::pair<double, double> wait(Parameters p, std::uint64_t seed, const Cell& start,
+                               const std::vector<std::uint8_t>& of_front) {
   p.run.seed = seed;
   p.protrusion.number = 0;
   Cell cell = start;
@@ -49,9 +47,9 @@ Result initiation(const Parameters& p) {
   const auto n = static_cast<double>(std::count(of_front.begin(), of_front.end(), 1));
   std::vector<double> times, places;
   for (std::uint64_t seed = p.run.seed; seed < p.run.seed + cells; ++seed) {
-    const First first = wait(p, seed, cell, of_front);
-    times.push_back(first.t);
-    places.push_back(first.place);
+    const auto [time, place] = wait(p, seed, cell, of_front);
+    times.push_back(time);
+    places.push_back(place);
   }
   const double rate = n * p.protrusion.initiation_rate;
   const double mean = std::accumulate(times.begin(), times.end(), 0.0) / static_cast<double>(cells);
@@ -67,21 +65,17 @@ Result initiation(const Parameters& p) {
 
   std::sort(times.begin(), times.end());
   result.table.columns = {"waiting_time_s", "share_still_waiting", "exponential"};
-  report::Plot plot{.title = "Waiting for the first protrusion of a polarized cell",
-                    .x_label = "time (s)",
-                    .y_label = "share still waiting",
-                    .log_y = true};
-  report::Series measured{.label = "measured"}, expected{.label = "exponential", .mark = report::Mark::dashed};
   for (std::size_t k = 0; k + 1 < times.size(); ++k) {
     const double waiting = 1.0 - static_cast<double>(k + 1) / static_cast<double>(times.size());
     result.table.add({times[k], waiting, std::exp(-rate * times[k])});
-    measured.x.push_back(times[k]);
-    measured.y.push_back(waiting);
-    expected.x.push_back(times[k]);
-    expected.y.push_back(std::exp(-rate * times[k]));
   }
-  plot.series = {measured, expected};
-  result.add("initiation", "A constant rate a front particle: exponential waiting times.", plot);
+  result.add("initiation", "A constant rate a front particle: exponential waiting times.",
+             {.title = "Waiting for the first protrusion of a polarized cell",
+              .x_label = "time (s)",
+              .y_label = "share still waiting",
+              .log_y = true,
+              .series = {result.curve("measured", "waiting_time_s", "share_still_waiting"),
+                         result.curve("exponential", "waiting_time_s", "exponential", report::Mark::dashed)}});
   return result;
 }
 

@@ -14,7 +14,6 @@ namespace matrigrate::validation {
 
 namespace {
 
-constexpr double loaded_radius = 80.0;   // of the disc [um]
 constexpr double small = 0.02;           // load in the linear range [nN]
 const Vec2 site(0.37, 0.71);             // of the load, at no particular place of the lattice [um]
 constexpr double times_mu_over_G = 18.0; // after which the point is at rest
@@ -27,8 +26,6 @@ struct Loaded {
 /// A constant load on a point of a disc, spread and read with the kernel of adhesions.
 Loaded loaded(const Parameters& p, double pull) {
   Parameters q = p;
-  q.ecm.radius = loaded_radius;
-  q.ecm.cell_hole = false;
   q.run.integrator = Integrator::adaptive; // halves its steps where a large weight of the penalty asks for it
   Simulation a(q, disc(q));
   const Kernel kernel(q.adhesion.spread * q.ecm.smoothing_length);
@@ -42,8 +39,7 @@ Loaded loaded(const Parameters& p, double pull) {
       [&](const State& s) {
         x += (s.t - before) * interpolate(weights(s), s.ecm.v).x();
         before = s.t;
-        path.x.push_back(s.t);
-        path.y.push_back(x - site.x());
+        path.add(s.t, x - site.x());
         return true;
       });
   Loaded result{.compliance = path.y.back() / pull};
@@ -53,10 +49,7 @@ Loaded loaded(const Parameters& p, double pull) {
 
 /// Of the continuum under the same load [um/nN].
 double continuum(const Parameters& p) {
-  const double clamp = loaded_radius - 2.0 * p.ecm.smoothing_length + 0.5 * p.ecm.particle_spacing;
-  return clamped_disc_compliance(Kernel(p.adhesion.spread * p.ecm.smoothing_length), clamp, moduli(p.ecm).G,
-                                 p.ecm.poissons_ratio)
-         / p.ecm.thickness;
+  return continuum_compliance(p.ecm, p.adhesion.spread * p.ecm.smoothing_length);
 }
 
 Parameters with(Parameters p, double spread, double weight) {
@@ -67,7 +60,8 @@ Parameters with(Parameters p, double spread, double weight) {
 
 } // namespace
 
-Result load(const Parameters& p) {
+Result load(const Parameters& given) {
+  const Parameters p = with_disc(given, 80.0);
   Result result;
   result.table.columns = {"spread", "hourglass_weight", "load_nN", "compliance_um_per_nN", "continuum_um_per_nN",
                           "t_98_s"};
@@ -85,8 +79,7 @@ Result load(const Parameters& p) {
     report::Series series{.label = fmt::format("kernel {:.1f} µm", spread * p.ecm.smoothing_length)};
     for (const double weight : weights) {
       const Parameters q = with(p, spread, weight);
-      series.x.push_back(weight);
-      series.y.push_back(measure(q, small).compliance / continuum(q));
+      series.add(weight, measure(q, small).compliance / continuum(q));
     }
     const double change = series.y.front() / series.y.back() - 1.0;
     if (spread == 2.5) {
@@ -101,24 +94,21 @@ Result load(const Parameters& p) {
                                          spread * p.ecm.smoothing_length, series.y.front(), 1.0 + change));
     of_weight.series.push_back(std::move(series));
   }
-  report::Plot of_load{.title = "Compliance against the load",
-                       .x_label = "load (nN)",
-                       .y_label = "compliance over its value at a small load",
-                       .log_x = true};
   const Parameters usual = with(p, 1.0, p.ecm.hourglass_weight);
   const double linear = loaded(usual, small).compliance;
   report::Series series{.label = "held by matter"};
-  for (const double pull : {small, 0.3, 0.6, 1.2, 2.0}) {
-    series.x.push_back(pull);
-    series.y.push_back(measure(usual, pull).compliance / linear);
-  }
+  for (const double pull : {small, 0.3, 0.6, 1.2, 2.0}) series.add(pull, measure(usual, pull).compliance / linear);
   result.checks.push_back({"compliance at 2 nN over that at 0.02 nN, held by matter", series.y.back(), 1.0, 0.05,
                            "linear but for what strains of order one add"});
   result.remarks.push_back(
       fmt::format("{:.3f} times the small compliance at 0.6 nN, {:.3f} times at 2 nN.", series.y[2], series.y.back()));
-  of_load.series.push_back(std::move(series));
   result.add("load", "A wider kernel loads modes that the sums over neighbours resolve.", of_weight);
-  result.add("load-force", "An adhesion that hangs on matter does not slip through the gel.", of_load);
+  result.add("load-force", "An adhesion that hangs on matter does not slip through the gel.",
+             {.title = "Compliance against the load",
+              .x_label = "load (nN)",
+              .y_label = "compliance over its value at a small load",
+              .log_x = true,
+              .series = {series}});
   return result;
 }
 

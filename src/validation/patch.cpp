@@ -30,9 +30,7 @@ double gradient_error(const Parameters& p, const Mat2& H) {
 
 /// A disc clamped two supports deep.
 Simulation deep_rimmed_disc(const Parameters& p) {
-  Parameters q = p;
-  q.ecm.radius = 25.0 * p.ecm.particle_spacing;
-  q.ecm.cell_hole = false;
+  const Parameters q = with_disc(p, 25.0 * p.ecm.particle_spacing);
   EcmState ecm = disc(q);
   for (std::size_t i = 0; i < ecm.size(); ++i)
     ecm.clamped[i] = ecm.X[i].norm() > q.ecm.radius - 4.0 * q.ecm.smoothing_length;
@@ -82,8 +80,8 @@ Result patch(const Parameters& p) {
   Simulation a = deep_rimmed_disc(p);
   result.table.columns = {"time_s", "relative_error"};
   const double tau = p.ecm.viscosity / moduli(p.ecm).G;
-  drive_clamped(
-      a, [&](const Vec2& X) -> Vec2 { return size * shape * X; }, 10.0 * p.run.time_step);
+  const auto field = [&](const Vec2& X) -> Vec2 { return size * shape * X; };
+  drive_clamped(a, field, 10.0 * p.run.time_step);
   a.march_for(16.0 * tau, {}, [&](const State& s) {
     result.table.add({s.t, displacement_error(s.ecm, size * shape)});
     return true;
@@ -100,18 +98,12 @@ Result patch(const Parameters& p) {
                                        "traction that the edge lacks, spread over "
                                        "the kernel's support.",
                                        anywhere));
-
-  report::Plot plot{.title = "Patch: a driven disc approaches the linear field",
-                    .x_label = "time (s)",
-                    .y_label = "largest error / largest displacement",
-                    .log_y = true};
-  report::Series curve{.label = "measured"};
-  for (const auto& row : result.table.rows) {
-    curve.x.push_back(row[0]);
-    curve.y.push_back(row[1]);
-  }
-  plot.series.push_back(std::move(curve));
-  result.add("patch", "The inside of a disc follows its linearly displaced rim.", plot);
+  result.add("patch", "The inside of a disc follows its linearly displaced rim.",
+             {.title = "Patch: a driven disc approaches the linear field",
+              .x_label = "time (s)",
+              .y_label = "largest error / largest displacement",
+              .log_y = true,
+              .series = {result.curve("measured", "time_s", "relative_error")}});
   return result;
 }
 

@@ -15,13 +15,10 @@ namespace {
 /// Viscosity from the curvature of the velocity profile, v = v_0 - b/(2 mu) y^2, which does not depend on the walls'
 /// place.
 double profile_viscosity(const EcmState& ecm, double b, double half_width) {
-  std::vector<double> y2, v;
-  for (std::size_t i = 0; i < ecm.size(); ++i) {
-    if (ecm.clamped[i] || std::abs(ecm.x[i].y()) > half_width) continue;
-    y2.push_back(ecm.x[i].y() * ecm.x[i].y());
-    v.push_back(ecm.v[i].x());
-  }
-  return -b / (2.0 * fit_line(y2, v).slope);
+  report::Series profile; // of v over y^2
+  for (std::size_t i = 0; i < ecm.size(); ++i)
+    if (!ecm.clamped[i] && std::abs(ecm.x[i].y()) <= half_width) profile.add(ecm.x[i].y() * ecm.x[i].y(), ecm.v[i].x());
+  return -b / (2.0 * fit_line(profile.x, profile.y).slope);
 }
 
 } // namespace
@@ -41,10 +38,7 @@ Result poiseuille(const Parameters& p) {
   report::Series profile{.label = "first step", .mark = report::Mark::points};
   a.march_for(150.0, body_force(p, Vec2(b, 0.0)), [&](const State& s) {
     if (s.step == 1)
-      for (std::size_t i = 0; i < s.ecm.size(); ++i) {
-        profile.x.push_back(s.ecm.X[i].y());
-        profile.y.push_back(s.ecm.v[i].x());
-      }
+      for (std::size_t i = 0; i < s.ecm.size(); ++i) profile.add(s.ecm.X[i].y(), s.ecm.v[i].x());
     result.table.add({wall_rate * s.t, 1e3 * profile_viscosity(s.ecm, b, inner)});
     return true;
   });
@@ -74,24 +68,18 @@ Result poiseuille(const Parameters& p) {
   report::Series exact{.label = "parabola", .mark = report::Mark::line};
   for (int k = 0; k <= 60; ++k) {
     const double y = H * (k / 60.0 - 0.5);
-    exact.x.push_back(y);
-    exact.y.push_back(b / (2.0 * mu) * (0.25 * H * H - y * y));
+    exact.add(y, b / (2.0 * mu) * (0.25 * H * H - y * y));
   }
-  report::Plot plot{.title = "Poiseuille: fluidized matrix between walls",
-                    .x_label = "y (µm)",
-                    .y_label = "velocity (µm/s)",
-                    .series = {exact, profile}};
-  result.add("poiseuille", "Velocity over the channel; the wall rows stand still.", plot);
-  report::Series over_strain{.label = "from the curvature of the profile"};
-  for (const auto& row : result.table.rows) {
-    over_strain.x.push_back(row[0]);
-    over_strain.y.push_back(row[1]);
-  }
-  report::Plot drift{.title = "Poiseuille: viscosity while the fluid is sheared",
-                     .x_label = "shear strain at the wall",
-                     .y_label = "viscosity (Pa s)",
-                     .series = {over_strain}};
-  result.add("strain", "Rows slide past each other while the fluid flows.", drift);
+  result.add("poiseuille", "Velocity over the channel; the wall rows stand still.",
+             {.title = "Poiseuille: fluidized matrix between walls",
+              .x_label = "y (µm)",
+              .y_label = "velocity (µm/s)",
+              .series = {exact, profile}});
+  result.add("strain", "Rows slide past each other while the fluid flows.",
+             {.title = "Poiseuille: viscosity while the fluid is sheared",
+              .x_label = "shear strain at the wall",
+              .y_label = "viscosity (Pa s)",
+              .series = {result.curve("from the curvature of the profile", "wall_shear_strain", "viscosity_Pa_s")}});
   return result;
 }
 

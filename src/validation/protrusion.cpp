@@ -1,5 +1,5 @@
 #include "validation/case.hpp"
-#include "validation/single_protrusion.hpp"
+#include "validation/specimen.hpp"
 
 #include <fmt/format.h>
 
@@ -20,13 +20,12 @@ constexpr double longest_in_paper = 30.0;                // [um]
 report::Series grow(Parameters p, double angle, store::Table& table) {
   p.protrusion.growth_time = 2.0 * longest_growth;
   SingleProtrusion one(p, angle);
-  report::Series series{
-      .label = fmt::format("{:.0f} Pa, {:.1f} degrees", 1e3 * p.ecm.youngs_modulus, angle * 180.0 / std::numbers::pi)};
+  const double E = 1e3 * p.ecm.youngs_modulus, degrees = angle * 180.0 / std::numbers::pi;
+  report::Series series{.label = fmt::format("{:.0f} Pa, {:.1f} degrees", E, degrees)};
   for (double t = 20.0; t < longest_growth + 1.0; t += 20.0) {
     one.march_for(20.0);
-    series.x.push_back(t);
-    series.y.push_back(one.length());
-    table.add({1e3 * p.ecm.youngs_modulus, angle * 180.0 / std::numbers::pi, t, one.length()});
+    series.add(t, one.length());
+    table.add({E, degrees, t, one.length()});
   }
   return series;
 }

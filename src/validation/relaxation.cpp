@@ -15,11 +15,6 @@ namespace {
 
 constexpr double rate = 1e-4; // shear rate of the ramp [1/s]
 
-void drive_top_wall(Simulation& a, double speed) {
-  for (std::size_t i = 0; i < a.s.ecm.size(); ++i)
-    if (a.s.ecm.clamped[i] && a.s.ecm.X[i].y() > 0.0) a.s.ecm.v[i] = Vec2(speed, 0.0);
-}
-
 struct RampAndHold {
   double before = 0.0; // wall stress in the last step of the ramp [kPa]
   double after = 0.0;  // wall stress at the end of the hold [kPa]
@@ -38,11 +33,11 @@ RampAndHold ramp_and_hold(const Parameters& p, double ramp, double hold, store::
     table.add({s.t, rate * std::min(s.t, ramp), 1e3 * r.after});
     return true;
   };
-  drive_top_wall(a, rate * H);
+  move_clamped(a.s.ecm, [&](const Vec2& X) { return Vec2(X.y() > 0.0 ? rate * H : 0.0, 0.0); });
   a.march_for(ramp, {}, record);
   r.before = r.after;
   r.strain = rate * a.s.t;
-  drive_top_wall(a, 0.0);
+  move_clamped(a.s.ecm, [](const Vec2&) { return Vec2::Zero(); });
   a.march_for(hold, {}, record);
   return r;
 }
@@ -52,14 +47,13 @@ double recovery_time(const Parameters& p, double tau) {
   const double dp = p.ecm.particle_spacing;
   Simulation a(p, strip(p.ecm, 12 * dp, 49 * dp));
   a.march_for(2.0 * tau, body_force(p, Vec2(1e-5, 0.0)));
-  std::vector<double> t{0.0}, u{mid_displacement(a.s.ecm, p.ecm).x()};
+  report::Series way{.x = {0.0}, .y = {mid_displacement(a.s.ecm, p.ecm).x()}};
   const double start = a.s.t;
   a.march_for(9.0 * tau, {}, [&](const State& s) {
-    t.push_back(s.t - start);
-    u.push_back(mid_displacement(s.ecm, p.ecm).x());
+    way.add(s.t - start, mid_displacement(s.ecm, p.ecm).x());
     return true;
   });
-  return fit_time_constant(t, u, 0.0);
+  return fit_time_constant(way.x, way.y, 0.0);
 }
 
 } // namespace
@@ -84,17 +78,14 @@ Result relaxation(const Parameters& p) {
   result.checks.push_back({"recovery time after unloading (s)", recovery_time(p, tau), tau, tau * 2.0 * wall + 0.5 * dt,
                            "walls known to a spacing: (H +- dp)^2; half a step of explicit Euler"});
 
-  report::Plot plot{
-      .title = "Relaxation: shear ramp, then hold", .x_label = "time (s)", .y_label = "wall shear stress (Pa)"};
-  report::Series measured{.label = "measured"}, expected{.label = "Kelvin-Voigt", .mark = report::Mark::dashed};
-  for (const auto& row : result.table.rows) {
-    measured.x.push_back(row[0]);
-    measured.y.push_back(row[2]);
-    expected.x.push_back(row[0]);
-    expected.y.push_back(1e3 * (m.G * row[1] + (row[0] <= 3.0 * tau ? mu * rate : 0.0)));
-  }
-  plot.series = {measured, expected};
-  result.add("relaxation", "A Kelvin-Voigt layer drops by mu times the rate when the ramp ends.", plot);
+  report::Series expected{.label = "Kelvin-Voigt", .mark = report::Mark::dashed};
+  for (const auto& row : result.table.rows)
+    expected.add(row[0], 1e3 * (m.G * row[1] + (row[0] <= 3.0 * tau ? mu * rate : 0.0)));
+  result.add("relaxation", "A Kelvin-Voigt layer drops by mu times the rate when the ramp ends.",
+             {.title = "Relaxation: shear ramp, then hold",
+              .x_label = "time (s)",
+              .y_label = "wall shear stress (Pa)",
+              .series = {result.curve("measured", "time_s", "wall_stress_Pa"), expected}});
   return result;
 }
 

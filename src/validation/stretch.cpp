@@ -50,11 +50,9 @@ Reading read(const Simulation& a) {
 /// Pulls the grips apart at a constant rate for a while, then lets the specimen come to rest.
 void pull(Simulation& a, double strain, double seconds, double rest) {
   const double speed = 0.5 * strain * length / seconds;
-  for (std::size_t i = 0; i < a.s.ecm.size(); ++i)
-    if (a.s.ecm.clamped[i]) a.s.ecm.v[i] = Vec2(a.s.ecm.X[i].x() > 0.0 ? speed : -speed, 0.0);
+  move_clamped(a.s.ecm, [&](const Vec2& X) { return Vec2(X.x() > 0.0 ? speed : -speed, 0.0); });
   a.march_for(seconds);
-  for (std::size_t i = 0; i < a.s.ecm.size(); ++i)
-    if (a.s.ecm.clamped[i]) a.s.ecm.v[i].setZero();
+  move_clamped(a.s.ecm, [](const Vec2&) { return Vec2::Zero(); });
   a.march_for(rest);
 }
 
@@ -78,19 +76,12 @@ Result stretch(const Parameters& p) {
 
   result.table.columns = {"strain", "lateral_strain", "nominal_stress_Pa", "grip_stress_Pa",
                           "linear_elastic_stress_Pa"};
-  report::Series measured{.label = "measured in the gauge", .mark = report::Mark::points};
-  report::Series grips{.label = "measured at the grip", .mark = report::Mark::points};
-  report::Series linear{.label = "linear elastic, plane strain"};
   Reading first{};
   for (int k = 0; k < 6; ++k) {
     pull(a, k == 0 ? 0.002 : 0.02, 2.0 * tau, 8.0 * tau);
     const Reading r = read(a);
     if (k == 0) first = r;
     result.table.add({r.strain_x, r.strain_y, 1e3 * r.stress, 1e3 * r.grip_stress, 1e3 * E_plane * r.strain_x});
-    for (report::Series* s : {&measured, &grips, &linear}) s->x.push_back(r.strain_x);
-    measured.y.push_back(1e3 * r.stress);
-    grips.y.push_back(1e3 * r.grip_stress);
-    linear.y.push_back(1e3 * E_plane * r.strain_x);
   }
 
   const double nu_plane = -first.strain_y / first.strain_x; // nu/(1 - nu)
@@ -108,11 +99,13 @@ Result stretch(const Parameters& p) {
                   "become thinner, and the rate "
                   "form (Jaumann rate, p = K (rho - 1)) is linear only in the limit of small strain.",
                   last[0], 100.0 * (last[2] / last[4] - 1.0)));
-  report::Plot plot{.title = "Stretch: uniaxial test with free sides",
-                    .x_label = "strain",
-                    .y_label = "nominal stress (Pa)",
-                    .series = {linear, measured, grips}};
-  result.add("stretch", "Quasi-static stress against strain.", plot);
+  result.add("stretch", "Quasi-static stress against strain.",
+             {.title = "Stretch: uniaxial test with free sides",
+              .x_label = "strain",
+              .y_label = "nominal stress (Pa)",
+              .series = {result.curve("linear elastic, plane strain", "strain", "linear_elastic_stress_Pa"),
+                         result.curve("measured in the gauge", "strain", "nominal_stress_Pa", report::Mark::points),
+                         result.curve("measured at the grip", "strain", "grip_stress_Pa", report::Mark::points)}});
   result.pictures.push_back(picture(a));
   return result;
 }

@@ -21,14 +21,10 @@ double pull(const Parameters& p) { return 2.0 * p.ecm.youngs_modulus * p.ecm.thi
 /// Time for which the load is held, 28 relaxation times [s].
 double hold(const Parameters& p) { return 28.0 * p.ecm.viscosity / moduli(p.ecm).G; }
 
-/// How far the anchored point of the gel has been dragged, over time.
 struct Pulled {
-  std::vector<double> t, travel; // [s], [um]
-  std::string failure;           // why it ended early, if it did
+  report::Series travel; // of the anchored point of the gel [um] over time [s]
+  std::string failure;   // why it ended early, if it did
   EcmState ecm;
-
-  /// Travel in the last fifth of the time that was reached [um].
-  double late_travel() const { return travel.back() - travel[travel.size() * 4 / 5]; }
 };
 
 Pulled pull_at_anchor(const Parameters& p) {
@@ -39,7 +35,7 @@ Pulled pull_at_anchor(const Parameters& p) {
   const Kernel kernel(q.ecm.smoothing_length);
   Vec2 anchor(q.cell.radius + q.degradation.body_distance + ahead, 0.0);
   const double start = anchor.x();
-  Pulled r{.t = {0.0}, .travel = {0.0}, .failure = {}, .ecm = {}};
+  Pulled r{.travel = {.label = "anchor", .x = {0.0}, .y = {0.0}}, .failure = {}, .ecm = {}};
   PointWeights carriers;
   const Loads load = [&](const State& s, std::span<Vec2> force) {
     carriers = solid_weights(s.ecm, kernel, anchor);
@@ -48,8 +44,7 @@ Pulled pull_at_anchor(const Parameters& p) {
   try {
     a.march_for(hold(q), load, [&](const State& s) {
       anchor += q.run.time_step * interpolate(carriers, s.ecm.v);
-      r.t.push_back(s.t);
-      r.travel.push_back(start - anchor.x());
+      r.travel.add(s.t, start - anchor.x());
       return anchor.x() > 0.0; // dragged into the middle of the hole: torn out
     });
   } catch (const NumericalFailure& failure) {
@@ -59,14 +54,15 @@ Pulled pull_at_anchor(const Parameters& p) {
   return r;
 }
 
-draw::Picture picture(const Pulled& r, const std::string& name, const std::string& title) {
-  draw::ParticlePicture map{.title = title, .value_label = "displacement (µm)", .value_min = 0.0, .value_max = 5.0};
-  for (std::size_t i = 0; i < r.ecm.size(); ++i) {
-    if (r.ecm.f[i] <= 0.0 || r.ecm.X[i].norm() > 45.0) continue;
-    map.position.push_back(r.ecm.x[i]);
-    map.value.push_back(r.ecm.displacement(i).norm());
+draw::Picture picture(const EcmState& ecm) {
+  draw::ParticlePicture map{
+      .title = "The gel under a held pull", .value_label = "displacement (µm)", .value_min = 0.0, .value_max = 5.0};
+  for (std::size_t i = 0; i < ecm.size(); ++i) {
+    if (ecm.f[i] <= 0.0 || ecm.X[i].norm() > 45.0) continue;
+    map.position.push_back(ecm.x[i]);
+    map.value.push_back(ecm.displacement(i).norm());
   }
-  return {name, title + ": solid particles around the hole.", draw::to_svg(map)};
+  return {"reference", map.title + ": solid particles around the hole.", draw::to_svg(map)};
 }
 
 } // namespace
@@ -76,21 +72,22 @@ Result tearing(const Parameters& p) {
   const Pulled pulled = pull_at_anchor(p);
   const double dp = p.ecm.particle_spacing;
   result.table.columns = {"time_s", "travel_um"};
-  for (std::size_t k = 0; k < pulled.t.size(); ++k) result.table.add({pulled.t[k], pulled.travel[k]});
+  const std::vector<double>& travel = pulled.travel.y;
+  for (std::size_t k = 0; k < travel.size(); ++k) result.table.add({pulled.travel.x[k], travel[k]});
   const double tau = p.ecm.viscosity / moduli(p.ecm).G;
-  const double left = pulled.travel.back() * std::exp(-0.8 * hold(p) / (2.0 * tau));
+  const double left = travel.back() * std::exp(-0.8 * hold(p) / (2.0 * tau));
   result.checks.push_back(
-      {"travel in the last fifth of the hold (µm)", pulled.late_travel(), 0.0, left + 0.01 * dp,
+      {"travel in the last fifth of the hold (µm)", travel.back() - travel[travel.size() * 4 / 5], 0.0,
+       left + 0.01 * dp,
        "an elastic gel comes to rest: what two relaxation times mu/G leave after 22, and a hundredth of a spacing"});
   result.remarks.push_back(fmt::format("A pull of {:.3g} nN held for {:.0f} s: {:.2f} µm{}.", pull(p), hold(p),
-                                       pulled.travel.back(),
-                                       pulled.failure.empty() ? "" : " (" + pulled.failure + ")"));
-  report::Plot plot{.title = "Tearing: travel of an adhesion-like load",
-                    .x_label = "time (s)",
-                    .y_label = "travel of the anchor (µm)",
-                    .series = {{.label = "anchor", .x = pulled.t, .y = pulled.travel}}};
-  result.add("tearing", "The anchored point of the gel under a held pull towards the hole.", plot);
-  result.pictures.push_back(picture(pulled, "reference", "The gel under a held pull"));
+                                       travel.back(), pulled.failure.empty() ? "" : " (" + pulled.failure + ")"));
+  result.add("tearing", "The anchored point of the gel under a held pull towards the hole.",
+             {.title = "Tearing: travel of an adhesion-like load",
+              .x_label = "time (s)",
+              .y_label = "travel of the anchor (µm)",
+              .series = {pulled.travel}});
+  result.pictures.push_back(picture(pulled.ecm));
   return result;
 }
 

@@ -1,6 +1,6 @@
 #include "simulation/step_limits.hpp"
 #include "validation/case.hpp"
-#include "validation/single_protrusion.hpp"
+#include "validation/specimen.hpp"
 
 #include <fmt/format.h>
 
@@ -24,13 +24,17 @@ constexpr double angle = 0.3; // of the protrusion that is followed [rad]
 
 using Tips = std::array<Vec2, times.size()>; ///< of the protrusion at the times [um]
 
-Tips follow(Parameters p, Integrator integrator, double dt) {
+Parameters stepped(Parameters p, Integrator integrator, double dt) {
   p.run.integrator = integrator;
   p.run.time_step = dt;
+  return p;
+}
+
+Tips follow(const Parameters& p) {
   SingleProtrusion one(p, angle);
   Tips tips;
   for (std::size_t k = 0; k < times.size(); ++k) {
-    one.march_for(times[k] - one.state().t);
+    one.march(times[k]);
     tips[k] = one.cell().cortex.x[one.protrusion().centre];
   }
   return tips;
@@ -46,9 +50,8 @@ double distance(const Tips& a, const Tips& b, std::size_t count) {
 }
 
 /// l_prot at the end of growth, mean over directions [um].
-double mean_length(Parameters p, Integrator integrator, double dt) {
-  p.run.integrator = integrator;
-  p.run.time_step = dt;
+double mean_length(const Parameters& p) {
+  const double dt = p.run.time_step;
   double sum = 0.0;
   for (int k = 0; k < directions; ++k) {
     SingleProtrusion one(p, 0.1 + 2.0 * std::numbers::pi * k / directions);
@@ -63,14 +66,13 @@ double mean_length(Parameters p, Integrator integrator, double dt) {
 Result time_step(const Parameters& p) {
   Result result;
   result.table.columns = {"adaptive", "time_step_s", "early_error_um", "error_um"};
-  const Tips finest = follow(p, Integrator::reference, steps.front());
+  const Tips finest = follow(stepped(p, Integrator::reference, steps.front()));
   std::vector<double> early_errors; // of the reference integrator first
   const auto errors = [&](Integrator integrator, std::span<const double> all, const std::string& label) {
     report::Series series{.label = label};
     for (const double dt : all) {
-      series.x.push_back(dt);
-      const Tips tips = follow(p, integrator, dt);
-      series.y.push_back(distance(tips, finest, tips.size()));
+      const Tips tips = follow(stepped(p, integrator, dt));
+      series.add(dt, distance(tips, finest, tips.size()));
       early_errors.push_back(distance(tips, finest, early));
       result.table.add({integrator == Integrator::adaptive ? 1.0 : 0.0, dt, early_errors.back(), series.y.back()});
     }
@@ -90,12 +92,11 @@ Result time_step(const Parameters& p) {
   for (std::size_t k = 0; k < adaptive.x.size(); ++k)
     result.checks.push_back({fmt::format("tip, adaptive steps of up to {} s (µm)", adaptive.x[k]), adaptive.y[k], 0.0,
                              quarter, "a quarter of a spacing, of the way of 23 µm"});
-  const double paper_length = mean_length(p, Integrator::reference, paper_step);
-  result.checks.push_back({fmt::format("l_prot, adaptive steps of up to {} s, mean over {} directions (µm)",
-                                       usual_time_step(Integrator::adaptive), directions),
-                           mean_length(p, Integrator::adaptive, usual_time_step(Integrator::adaptive)), paper_length,
-                           quarter,
-                           fmt::format("that with reference steps of {} s; a quarter of a spacing", paper_step)});
+  const double usual = usual_time_step(Integrator::adaptive);
+  result.checks.push_back(
+      {fmt::format("l_prot, adaptive steps of up to {} s, mean over {} directions (µm)", usual, directions),
+       mean_length(stepped(p, Integrator::adaptive, usual)), mean_length(stepped(p, Integrator::reference, paper_step)),
+       quarter, fmt::format("that with reference steps of {} s; a quarter of a spacing", paper_step)});
   result.remarks.push_back(fmt::format(
       "Errors are distances of the tip from that with steps of {} s along the direction of growth, the largest at "
       "{:.0f}, {:.0f}, {:.0f} and {:.0f} s. Across it, and later along it, the deflection of growth makes much of "

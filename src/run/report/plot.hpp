@@ -17,6 +17,11 @@ struct Series {
   std::vector<double> x = {}, y = {};
   Mark mark = Mark::line;
   int colour = -1; ///< index into the palette of viewer/src/colour.ts; -1 takes the next one
+
+  void add(double at, double value) {
+    x.push_back(at);
+    y.push_back(value);
+  }
 };
 
 /// Curves over linear or logarithmic axes.
