@@ -2,22 +2,16 @@
 
 #include <fmt/format.h>
 
-#include <charconv>
 #include <cmath>
 
 namespace matrigrate {
 
 namespace {
 
-bool is_number(std::string_view text) {
-  if (text.starts_with('+')) text.remove_prefix(1);
-  double value = 0.0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  return error == std::errc() && end == text.data() + text.size();
-}
-
 /// True if a spreadsheet would compute a field instead of showing it.
-bool is_formula(std::string_view field) { return field.find_first_of("=+-@\t\r\n") == 0 && !is_number(field); }
+bool is_formula(std::string_view field) {
+  return field.find_first_of("=+-@\t\r\n") == 0 && !number_in<double>(field.substr(field.starts_with('+') ? 1 : 0));
+}
 
 } // namespace
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <charconv>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -9,6 +11,14 @@ namespace matrigrate {
 /// a spreadsheet would compute it as a formula, that is, where it begins with = + - @, a tab or a line break and is no
 /// number. Test: tests/unit/tables/tables_test.cpp
 std::string csv_text(std::string_view field);
+
+/// The whole of a text as a number: no blanks, no +, a decimal point. Nothing if it is none.
+template <class Number>
+std::optional<Number> number_in(std::string_view text) {
+  Number value{};
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  return error == std::errc() && end == text.data() + text.size() ? std::optional(value) : std::nullopt;
+}
 
 // Human-readable durations. Test: tests/unit/base/base_test.cpp
 

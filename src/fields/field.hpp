@@ -5,6 +5,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 
 namespace matrigrate::fields {
@@ -12,6 +13,7 @@ namespace matrigrate::fields {
 // Numbers over the plane, as a scenario gives them. Test: tests/unit/fields/fields_test.cpp
 
 class Grids;
+struct Grid;
 
 /// A field that a scenario names by one text:
 ///
@@ -29,14 +31,12 @@ public:
   /// @throws std::invalid_argument saying what is wrong with the text or the file
   /// @throws InputOutputError if a file cannot be read
   Field(const std::string& text, const std::filesystem::path& folder, Grids* grids = nullptr);
-  Field(Field&&) noexcept;
-  ~Field();
 
   /// Its value at a point [um], in the unit of its formula or file; may be NaN or infinite of a formula.
   double at(const Vec2& x) const;
 
   /// The name of a CSV file's column that the values are from; empty of all else.
-  const std::string& column() const;
+  std::string column() const;
 
   /// The same field in another unit: `factor` times its values, > 0.
   void scale(double factor) { m_factor *= factor; }
@@ -56,9 +56,9 @@ public:
   const std::string& text() const { return m_text; }
 
 private:
-  struct Source;
   std::string m_text;
-  std::unique_ptr<Source> m_source;
+  std::shared_ptr<const Grid> m_grid; ///< null of a formula
+  std::optional<Expression> m_formula;
   double m_factor = 1.0;
   bool m_are_axes = false;
 };

@@ -1,11 +1,11 @@
 #include "fields/file_words.hpp"
 
+#include "base/text.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cctype>
-#include <charconv>
 #include <cmath>
 #include <iomanip>
 #include <sstream>
@@ -81,6 +81,15 @@ std::string quoted_word(std::istringstream& in, const std::string& text) {
   return word;
 }
 
+/// Takes characters up to a space or a sign.
+std::string take_word(std::istringstream& in, int sign) {
+  std::string word;
+  while (in.peek() != std::istringstream::traits_type::eof() && in.peek() != sign
+         && spaces.find(static_cast<char>(in.peek())) == std::string_view::npos)
+    word += static_cast<char>(in.get());
+  return word;
+}
+
 std::vector<std::string> known_options(bool picture) {
   if (picture) return {"pixel", "from", "to", "black", "white", "direction", "x", "y", "page", "channel", "hash"};
   return {"column", "hash"};
@@ -89,21 +98,13 @@ std::vector<std::string> known_options(bool picture) {
 void read_options(FileWords& words, std::istringstream& in, const std::string& text) {
   const std::vector<std::string> known = known_options(words.picture());
   while (in >> std::ws && in.peek() != std::istringstream::traits_type::eof()) {
-    std::string key;
-    while (in.peek() != std::istringstream::traits_type::eof()
-           && spaces.find(static_cast<char>(in.peek())) == std::string_view::npos && in.peek() != '=')
-      key += static_cast<char>(in.get());
+    const std::string key = take_word(in, '=');
     if (in.peek() != '=' || std::ranges::find(known, key) == known.end())
       throw std::invalid_argument(fmt::format("\"{}\" is not known; allowed after the file: {}=...",
                                               key + (in.peek() == '=' ? "=" : ""), fmt::join(known, "=..., ")));
     in.get();
-    std::string value;
-    if (is_quote(static_cast<char>(in.peek())))
-      value = quoted_word(in, text);
-    else
-      while (in.peek() != std::istringstream::traits_type::eof()
-             && spaces.find(static_cast<char>(in.peek())) == std::string_view::npos)
-        value += static_cast<char>(in.get());
+    const std::string value =
+        is_quote(static_cast<char>(in.peek())) ? quoted_word(in, text) : take_word(in, spaces.front());
     if (value.empty()) throw std::invalid_argument(fmt::format("{}= has no value", key));
     if (!words.options.emplace(key, value).second) throw std::invalid_argument(fmt::format("{}= is given twice", key));
   }
@@ -129,9 +130,8 @@ std::string FileWords::word(const std::string& key) const {
 std::optional<double> FileWords::number(const std::string& key) const {
   const std::string text = word(key);
   if (text.empty()) return std::nullopt;
-  double value = 0.0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(value))
+  const auto value = number_in<double>(text);
+  if (!value || !std::isfinite(*value))
     throw std::invalid_argument(
         fmt::format("{}={} is no number; write it without a unit, and with a decimal point", key, text));
   return value;
@@ -143,19 +143,17 @@ std::optional<FileWords::Amount> FileWords::amount(const std::string& key) const
     const std::optional<double> value = number(key);
     return value ? std::optional(Amount{.value = *value}) : std::nullopt;
   }
-  double value = 0.0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size() - 1, value);
-  if (error != std::errc() || end != text.data() + text.size() - 1 || !(value >= 0.0 && value <= 100.0))
+  const auto value = number_in<double>(std::string_view(text).substr(0, text.size() - 1));
+  if (!value || !(*value >= 0.0 && *value <= 100.0))
     throw std::invalid_argument(fmt::format("{}={} is no percentage from 0% to 100%", key, text));
-  return Amount{.value = 0.01 * value, .percent = true};
+  return Amount{.value = 0.01 * *value, .percent = true};
 }
 
 std::optional<std::size_t> FileWords::count(const std::string& key) const {
   const std::string text = word(key);
   if (text.empty()) return std::nullopt;
-  std::size_t value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || end != text.data() + text.size() || value == 0)
+  const auto value = number_in<std::size_t>(text);
+  if (value.value_or(0) == 0)
     throw std::invalid_argument(fmt::format("{0}={1} is not a whole number >= 1; the first {0} is {0}=1", key, text));
   return value;
 }

@@ -16,8 +16,7 @@ struct FileWords {
   std::filesystem::path name;
   std::map<std::string, std::string> options;
 
-  /// Otherwise CSV.
-  bool picture() const;
+  bool picture() const; ///< otherwise CSV
 
   /// Empty if the option is not given.
   std::string word(const std::string& key) const;

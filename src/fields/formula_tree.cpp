@@ -1,6 +1,6 @@
 #include "fields/formula_tree.hpp"
 
-#include "fields/formula_words.hpp"
+#include "fields/formula_tree.hpp"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "fields/formula_words.hpp"
+#include "fields/formula_tree.hpp"
 
 #include "fields/formula_tree.hpp"
 

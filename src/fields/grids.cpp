@@ -4,7 +4,6 @@
 #include "base/platform.hpp"
 #include "fields/file_words.hpp"
 #include "fields/picture.hpp"
-#include "fields/structure_tensor.hpp"
 
 #include <fmt/format.h>
 #include <sys/stat.h>
@@ -37,14 +36,6 @@ std::optional<Version> version_of(const std::filesystem::path& file) {
   if (::stat(file.c_str(), &status) != 0) return std::nullopt;
   return Version(status.st_dev, status.st_ino, status.st_size, platform::times_of(status));
 }
-
-/// What was read of a file.
-struct Kept {
-  std::filesystem::path file;
-  std::optional<Version> version; ///< before it was read
-  std::string hash;
-  NamedGrid of;
-};
 
 void require(const FileWords& words, std::initializer_list<const char*> keys) {
   for (const char* needed : keys)
@@ -138,45 +129,30 @@ Grid read_grid(const FileWords& words, std::string_view bytes) {
 
 } // namespace
 
-class Grids::Keeper {
-public:
-  /// The fingerprint of a file, if it is still as it was read.
-  std::string hash_of(const std::filesystem::path& file, const std::optional<Version>& version) {
-    const std::scoped_lock lock(m_mutex);
-    const auto found = std::ranges::find_if(
-        m_kept, [&](const Kept& kept) { return kept.file == file && kept.version && kept.version == version; });
-    return found == m_kept.end() ? "" : found->hash;
-  }
-
-  std::shared_ptr<const Grid> grid_of(const std::string& text) {
-    const std::scoped_lock lock(m_mutex);
-    const auto found = std::ranges::find_if(m_kept, [&](const Kept& kept) { return kept.of.text == text; });
-    return found == m_kept.end() ? nullptr : found->of.grid;
-  }
-
-  void keep(Kept kept) {
-    const std::scoped_lock lock(m_mutex);
-    std::erase_if(m_kept, [&](const Kept& other) { return other.of.text == kept.of.text; });
-    m_kept.insert(m_kept.begin(), std::move(kept));
-    std::size_t number = 0, values = 0;
-    while (number < std::min(m_kept.size(), kept_grids) && values <= kept_values)
-      values += m_kept[number++].of.grid->samples.values.size();
-    if (values > kept_values && number > 1) --number;
-    m_kept.resize(number);
-  }
-
-private:
-  std::mutex m_mutex;
-  std::vector<Kept> m_kept; ///< the last one first
+/// What was read of a file.
+struct Grids::Kept {
+  std::filesystem::path file;
+  std::optional<Version> version; ///< before it was read
+  std::string hash;
+  NamedGrid of;
 };
 
-Grids::Grids() : m_keeper(std::make_unique<Keeper>()) {}
+Grids::Grids() = default;
 Grids::~Grids() = default;
+
+/// The first that fits.
+template <class Fits>
+std::optional<Grids::Kept> Grids::kept(const Fits& fits) {
+  const std::scoped_lock lock(m_mutex);
+  const auto found = std::ranges::find_if(m_kept, fits);
+  return found == m_kept.end() ? std::nullopt : std::optional(*found);
+}
 
 NamedGrid Grids::of(const FileWords& words, const std::filesystem::path& folder) {
   const std::filesystem::path file = std::filesystem::absolute(folder / words.name).lexically_normal();
   const std::optional<Version> version = version_of(file);
-  std::string hash = m_keeper->hash_of(file, version), bytes;
+  const auto same = kept([&](const Kept& one) { return one.file == file && one.version && one.version == version; });
+  std::string hash = same ? same->hash : "", bytes;
   const auto read = [&] {
     bytes = read_file(file, max_file_bytes);
     hash = fmt::format("{:016x}", XXH3_64bits(bytes.data(), bytes.size()));
@@ -185,11 +161,18 @@ NamedGrid Grids::of(const FileWords& words, const std::filesystem::path& folder)
   if (const std::string given = words.word("hash"); !given.empty() && given != hash)
     throw std::invalid_argument(
         fmt::format("{} has changed: its fingerprint is {}, and was {}", file.string(), hash, given));
-  NamedGrid named{m_keeper->grid_of(words.text(file, hash)), words.text(file, hash)};
-  if (named.grid) return named;
+  const std::string text = words.text(file, hash);
+  if (const auto known = kept([&](const Kept& one) { return one.of.text == text; })) return known->of;
   if (bytes.empty()) read();
-  named = {std::make_shared<const Grid>(read_grid(words, bytes)), words.text(file, hash)};
-  m_keeper->keep({file, version, hash, named});
+  const NamedGrid named{std::make_shared<const Grid>(read_grid(words, bytes)), words.text(file, hash)};
+  const std::scoped_lock lock(m_mutex);
+  std::erase_if(m_kept, [&](const Kept& other) { return other.of.text == named.text; });
+  m_kept.insert(m_kept.begin(), {file, version, hash, named});
+  std::size_t number = 0, values = 0;
+  while (number < std::min(m_kept.size(), kept_grids) && values <= kept_values)
+    values += m_kept[number++].of.grid->samples.values.size();
+  if (values > kept_values && number > 1) --number;
+  m_kept.resize(number);
   return named;
 }
 

@@ -69,18 +69,8 @@ std::optional<std::size_t> channel_of(const Raster& raster, const std::optional<
 } // namespace
 
 std::size_t bytes_of(SampleType type) {
-  switch (type) {
-  case SampleType::whole_8:
-    return 1;
-  case SampleType::whole_16:
-    return 2;
-  case SampleType::whole_32:
-  case SampleType::real_32:
-    return 4;
-  case SampleType::real_64:
-    break;
-  }
-  return 8;
+  constexpr std::array<std::size_t, 5> bytes{1, 2, 4, 4, 8};
+  return bytes.at(static_cast<std::size_t>(type));
 }
 
 void Raster::allocate() {

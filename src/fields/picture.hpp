@@ -1,10 +1,9 @@
 #pragma once
 
-#include "fields/scale.hpp"
-
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -12,6 +11,13 @@ namespace matrigrate::fields {
 
 // Pictures as numbers. Nothing converts what is stored: no gamma, no profile of colours. Test:
 // tests/unit/fields/picture_test.cpp
+
+/// Sides of a pixel [um].
+struct PixelSize {
+  double width = 0.0, height = 0.0;
+
+  bool operator==(const PixelSize&) const = default;
+};
 
 /// The part of a picture that is wanted, counted from 1.
 struct PictureChoice {
@@ -31,6 +37,15 @@ struct Picture {
 /// @throws std::invalid_argument saying why it cannot be read: damaged, more than 16 million pixels, another format, or
 /// a page or channel has to be chosen, or transparent pixels
 Picture read_picture(std::string_view bytes, const PictureChoice& choice);
+
+/// The direction along which a picture changes least around each pixel: that of the eigenvector of the smaller
+/// eigenvalue of the structure tensor, the mean of (grad s)(grad s)^T weighted by a normal distribution around the
+/// pixel. Slopes are differences of fourth order of the picture smoothed over one pixel.
+/// @param window  standard deviation of the weights, > 0 [pixel]
+/// @return degrees from the x axis, in (-90, 90], y upwards, row by row downwards; where the picture is even, the
+/// direction of the whole picture
+/// @throws std::invalid_argument if all of the picture is even, or it is smaller than 3 x 3 pixels
+std::vector<double> fibre_directions(const Picture& picture, double window);
 
 // What the formats of pictures have in common. Test: tests/unit/fields/picture_test.cpp
 
@@ -62,5 +77,19 @@ Raster read_png(std::string_view bytes);
 /// @param page  from 1; may be left out if there is one only
 /// @throws std::invalid_argument saying why it cannot be read
 Raster read_tiff(std::string_view bytes, const std::optional<std::size_t>& page);
+
+/// What a TIFF says of the scale of a page.
+struct StatedScale {
+  std::string description;                       ///< of its first page: OME-XML, or what ImageJ writes
+  double x_resolution = 0.0, y_resolution = 0.0; ///< of the page: pixels in a unit; 0: not stated
+  bool in_centimetres = false;                   ///< whether that unit is one
+  std::size_t directory = 0;                     ///< the page's number among all, from 0
+  std::size_t columns = 0, rows = 0;             ///< of the page [pixel]; 0: any
+};
+
+/// From the Image of OME-XML that the page belongs to (PhysicalSizeX), from ImageJ's description (unit=micron), or from
+/// pixels in a centimetre. Pixels in an inch are those of printers, and state nothing.
+/// @return nothing if the file does not state it
+std::optional<PixelSize> pixel_size(const StatedScale& scale);
 
 } // namespace matrigrate::fields

@@ -1,9 +1,10 @@
-#include "fields/samples.hpp"
+#include "fields/grids.hpp"
+
+#include "base/text.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
@@ -30,11 +31,10 @@ std::vector<std::string_view> split(std::string_view text, char at) {
 }
 
 double number(std::string_view field, std::size_t line) {
-  double value = 0.0;
-  const auto [end, error] = std::from_chars(field.data(), field.data() + field.size(), value);
-  if (error != std::errc() || end != field.data() + field.size() || !std::isfinite(value))
+  const auto value = number_in<double>(field);
+  if (!value || !std::isfinite(*value))
     throw std::invalid_argument(fmt::format("line {}: \"{}\" is no finite number", line, field.substr(0, 40)));
-  return value;
+  return *value;
 }
 
 /// The header line, without the mark of UTF-8 and the quotes that some programs write.

@@ -1,6 +1,7 @@
-#include "fields/scale.hpp"
+#include "fields/picture.hpp"
 
-#include <charconv>
+#include "base/text.hpp"
+
 #include <cmath>
 #include <string>
 #include <string_view>
@@ -33,15 +34,6 @@ std::optional<std::string_view> value_behind(std::string_view text, std::string_
   return text.substr(0, text.find_first_of(ends));
 }
 
-std::optional<double> number_in(std::optional<std::string_view> text) {
-  double value = 0.0;
-  if (!text) return std::nullopt;
-  const auto [end, error] = std::from_chars(text->data(), text->data() + text->size(), value);
-  if (error != std::errc() || end != text->data() + text->size() || !std::isfinite(value) || value <= 0.0)
-    return std::nullopt;
-  return value;
-}
-
 /// An attribute of OME's element Pixels, in quotes of either kind.
 std::optional<std::string_view> attribute(std::string_view element, const std::string& name) {
   for (const char* quote : {"\"", "'"})
@@ -50,12 +42,8 @@ std::optional<std::string_view> attribute(std::string_view element, const std::s
   return std::nullopt;
 }
 
-/// A whole number; nothing if it is none.
-std::optional<std::size_t> count_in(std::optional<std::string_view> text) {
-  std::size_t value = 0;
-  if (!text) return std::nullopt;
-  const auto [end, error] = std::from_chars(text->data(), text->data() + text->size(), value);
-  return error == std::errc() && end == text->data() + text->size() ? std::optional(value) : std::nullopt;
+std::optional<std::size_t> count_of(std::string_view element, const std::string& name) {
+  return number_in<std::size_t>(attribute(element, name).value_or(""));
 }
 
 /// The start tag of each element of a name, with what follows it up to the next one.
@@ -80,7 +68,7 @@ std::string_view start_tag(std::string_view element) { return element.substr(0, 
 bool has_directory(std::string_view pixels, std::size_t directory) {
   for (const std::string_view element : elements(pixels, "TiffData")) {
     const std::string_view tag = start_tag(element);
-    const auto first = count_in(attribute(tag, "IFD")), planes = count_in(attribute(tag, "PlaneCount"));
+    const auto first = count_of(tag, "IFD"), planes = count_of(tag, "PlaneCount");
     const std::size_t begin = first.value_or(0);
     if (directory < begin) continue;
     if (planes ? directory - begin < *planes : !first || directory == begin) return true;
@@ -92,14 +80,14 @@ bool has_directory(std::string_view pixels, std::size_t directory) {
 std::optional<PixelSize> size_of_ome(std::string_view pixels, const StatedScale& page) {
   const std::string_view tag = start_tag(pixels);
   const auto differs = [&](const char* name, std::size_t here) {
-    const auto stated = count_in(attribute(tag, name));
+    const auto stated = count_of(tag, name);
     return stated && here > 0 && *stated != here;
   };
   if (differs("SizeX", page.columns) || differs("SizeY", page.rows)) return std::nullopt; // a smaller version of it
   const auto side = [&](const std::string& name) -> std::optional<double> {
-    const auto size = number_in(attribute(tag, name));
+    const auto size = number_in<double>(attribute(tag, name).value_or(""));
     const auto unit = micrometres(attribute(tag, name + "Unit").value_or("um"));
-    return size && unit ? std::optional(*size * *unit) : std::nullopt;
+    return size && unit && std::isfinite(*size) && *size > 0.0 ? std::optional(*size * *unit) : std::nullopt;
   };
   const auto x = side("PhysicalSizeX");
   return x ? std::optional(PixelSize{*x, side("PhysicalSizeY").value_or(*x)}) : std::nullopt;
@@ -131,7 +119,7 @@ std::optional<PixelSize> pixel_size(const StatedScale& scale) {
   std::optional<double> unit;
   if (text.starts_with("ImageJ="))
     if (const auto name = value_behind(text, "\nunit=", "\r\n")) unit = micrometres(*name);
-  if (!unit && scale.unit == StatedScale::Unit::centimetre) unit = 1e4;
+  if (!unit && scale.in_centimetres) unit = 1e4;
   if (!unit) return std::nullopt;
   return PixelSize{*unit / scale.x_resolution, *unit / y_resolution};
 }

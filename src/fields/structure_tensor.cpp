@@ -1,4 +1,4 @@
-#include "fields/structure_tensor.hpp"
+#include "fields/picture.hpp"
 
 #include <algorithm>
 #include <cmath>

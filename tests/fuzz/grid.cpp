@@ -1,6 +1,6 @@
 #include "target.hpp"
 
-#include "fields/samples.hpp"
+#include "fields/grids.hpp"
 
 #include <cmath>
 #include <cstdlib>

@@ -4,7 +4,6 @@
 #include "base/file.hpp"
 #include "fields/file_words.hpp"
 #include "fields/grids.hpp"
-#include "fields/samples.hpp"
 
 #include <gtest/gtest.h>
 #include <png.h>

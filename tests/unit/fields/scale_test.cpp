@@ -1,7 +1,6 @@
 #include "fields/field.hpp"
-#include "fields/samples.hpp"
-#include "fields/scale.hpp"
-#include "fields/structure_tensor.hpp"
+#include "fields/grids.hpp"
+#include "fields/picture.hpp"
 
 #include <gtest/gtest.h>
 #include <tiffio.h>
@@ -17,8 +16,6 @@
 
 namespace matrigrate::fields {
 namespace {
-
-using Unit = StatedScale::Unit;
 
 std::optional<PixelSize> of_text(const std::string& description) { return pixel_size({.description = description}); }
 
@@ -71,11 +68,10 @@ TEST(Scale, IsThatOfImageJOrOfPixelsInACentimetre) {
   EXPECT_EQ(pixel_size(imagej), square(0.5));
   EXPECT_EQ(pixel_size({.description = "ImageJ=1.54f\nunit=\\u00B5m\n", .x_resolution = 4, .y_resolution = 4}),
             square(0.25));
-  EXPECT_EQ(pixel_size({.description = "", .x_resolution = 5000, .y_resolution = 5000, .unit = Unit::centimetre}),
+  EXPECT_EQ(pixel_size({.description = "", .x_resolution = 5000, .y_resolution = 5000, .in_centimetres = true}),
             square(2.0));
-  EXPECT_EQ(pixel_size({.description = "", .x_resolution = 72, .y_resolution = 72, .unit = Unit::inch}), std::nullopt);
-  EXPECT_EQ(pixel_size({.description = "", .x_resolution = 1, .y_resolution = 1, .unit = Unit::none}), std::nullopt);
-  EXPECT_EQ(pixel_size({.description = "", .x_resolution = 2, .y_resolution = 4, .unit = Unit::centimetre}),
+  EXPECT_EQ(pixel_size({.description = "", .x_resolution = 1, .y_resolution = 1}), std::nullopt);
+  EXPECT_EQ(pixel_size({.description = "", .x_resolution = 2, .y_resolution = 4, .in_centimetres = true}),
             (PixelSize{5000, 2500}));
 }
 
