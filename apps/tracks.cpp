@@ -7,7 +7,6 @@
 #include "report/run_page.hpp"
 #include "run/folder_state.hpp"
 #include "study_report/beside.hpp"
-#include "tracks/drift.hpp"
 #include "tracks/read_tracks.hpp"
 #include "tracks/readouts.hpp"
 
@@ -47,7 +46,7 @@ Json number_json(double value) { return std::isfinite(value) ? Json(value) : Jso
 
 std::string text_of_separator(char separator) { return separator == '\0' ? std::string() : std::string(1, separator); }
 
-Json columns_json(const tracks::ColumnsUsed& columns) {
+Json columns_json(const tracks::ColumnNames& columns) {
   return {
       {"track", columns.track}, {"t", columns.t},         {"frame", columns.frame},     {"x", columns.x},
       {"y", columns.y},         {"group", columns.group}, {"made_up", columns.made_up}, {"measured", columns.measured}};
@@ -102,7 +101,7 @@ Json to_json(const TracksArguments& asked, const tracks::Tracks& cells, const Tr
 }
 
 std::string understood_text(const tracks::Tracks& cells) {
-  const tracks::ColumnsUsed& columns = cells.columns;
+  const tracks::ColumnNames& columns = cells.columns;
   const bool by_frame = cells.scales.by_frame;
   return fmt::format(
       "{} tracks, {} positions, every {:g} s\nlayout {}: track {}, time {} x {:g} s, place {} and {} x {:g} um\n",

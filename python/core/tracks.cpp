@@ -1,7 +1,7 @@
 // Tracks and their read-outs in matrigrate._core. What users see is matrigrate.tracks
 // (python/matrigrate/tracks/__init__.py).
 #include "base/failure.hpp"
-#include "tracks/drift.hpp"
+#include "tracks/read_tracks.hpp"
 #include "tracks/readouts.hpp"
 
 #include <fmt/format.h>

@@ -1,7 +1,5 @@
 #include "fields/formula_tree.hpp"
 
-#include "fields/formula_tree.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>

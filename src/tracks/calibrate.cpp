@@ -57,7 +57,7 @@ Steps steps_of(const Spots& spots) {
 double length(const Spots& spots, const TrackOptions& options, Findings& findings) {
   const std::string unit = excerpt(spots.length_unit, 20);
   const std::optional<double> stated = length_unit(spots.length_unit);
-  const ColumnsUsed& columns = spots.columns;
+  const ColumnNames& columns = spots.columns;
   const std::string pixel = options.say("pixel", "UM");
   if (!options.pixel && !stated)
     findings.fault(0, unit.empty() ? fmt::format("does not state the unit of {} and {}: give {}, um per unit (1 if um)",
@@ -86,7 +86,7 @@ Time of_frames(const Spots& spots, const Steps& steps, const TrackOptions& optio
 /// By a column of time alone, without an interval from the caller.
 Time of_t(const Spots& spots, const Steps& steps, std::optional<double> unit, bool calibrated,
           const TrackOptions& options, Findings& findings) {
-  const auto& [track, t, frame, x, y, made_up, measured, group] = spots.columns;
+  const std::string &t = spots.columns.t, &frame = spots.columns.frame;
   const std::string interval = options.say("interval", "S"), unit_of_time = options.say("time-unit", "s");
   if (!unit)
     findings.fault(0, fmt::format("does not state the unit of {}: give {} (or min){}", t, unit_of_time,
@@ -169,7 +169,7 @@ void check_bounds(const Spots& spots, Findings& findings) {
 
 } // namespace
 
-Scales calibrate(Spots& spots, const TrackOptions& options, Findings& findings) {
+void calibrate(Spots& spots, const TrackOptions& options, Findings& findings) {
   const double um = length(spots, options, findings);
   const auto [by_frame, s_per_unit] = time(spots, options, findings);
   for (Spot& s : spots.spots) {
@@ -179,7 +179,7 @@ Scales calibrate(Spots& spots, const TrackOptions& options, Findings& findings) 
   }
   spots.t_digit *= by_frame ? 0.0 : s_per_unit;
   check_bounds(spots, findings);
-  return {.um_per_unit = um, .s_per_unit = s_per_unit, .by_frame = by_frame};
+  spots.scales = {.um_per_unit = um, .s_per_unit = s_per_unit, .by_frame = by_frame};
 }
 
 } // namespace matrigrate::tracks

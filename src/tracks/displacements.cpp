@@ -1,4 +1,4 @@
-#include "tracks/displacements.hpp"
+#include "tracks/read_tracks.hpp"
 
 #include <cmath>
 #include <limits>

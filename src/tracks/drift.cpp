@@ -1,4 +1,4 @@
-#include "tracks/drift.hpp"
+#include "tracks/read_tracks.hpp"
 
 #include "base/failure.hpp"
 

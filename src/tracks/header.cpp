@@ -1,5 +1,6 @@
 #include "tracks/table.hpp"
 
+#include "base/text.hpp"
 #include "parameters/document.hpp"
 #include "parameters/nearest.hpp"
 
@@ -7,12 +8,15 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <charconv>
 #include <utility>
 
 namespace matrigrate::tracks {
 
 namespace {
+
+using Titles = std::vector<ColumnTitle>;
+
+constexpr std::size_t most_columns = 2000;
 
 bool has_unit(const ColumnTitle& title) { return length_unit(title.unit) || time_unit(title.unit); }
 
@@ -30,6 +34,30 @@ std::string before_name(const Layout::Names& names, const std::string& title) {
     if (name.starts_with('*'))
       if (const std::size_t at = title.find(name.substr(1)); at != std::string::npos) return title.substr(0, at);
   return {};
+}
+
+/// The column of the first of these names that is there; of several columns of one name the one whose unit is known.
+/// @param before  what stands before each name
+Table::Column of_layout(const Layout::Names& names, const Titles& titles, const std::string& before = {}) {
+  for (const std::string_view name : names) {
+    Table::Column found;
+    for (std::size_t c = 0; c < titles.size(); ++c)
+      if (is_named(titles[c], before, name) && (!found || (!has_unit(titles[*found]) && has_unit(titles[c]))))
+        found = c;
+    if (found) return found;
+  }
+  return std::nullopt;
+}
+
+/// The column that the caller names: so written, or the same in other letters, or by its number.
+Table::Column of_caller(std::string_view name, const std::vector<std::string>& header, const Titles& titles) {
+  if (const auto same = std::ranges::find(header, trimmed(name)); same != header.end())
+    return static_cast<std::size_t>(same - header.begin());
+  const std::string plain = column_title(name).whole;
+  for (std::size_t c = 0; c < titles.size(); ++c)
+    if (!plain.empty() && titles[c].whole == plain) return c;
+  const auto number = column_number(name);
+  return number && *number < header.size() ? number : std::nullopt;
 }
 
 /// The columns of a row as a header; nothing if it is none.
@@ -124,51 +152,6 @@ private:
   Titles m_titles;
 };
 
-} // namespace
-
-Table::Column of_layout(const Layout::Names& names, const Titles& titles, const std::string& before) {
-  for (const std::string_view name : names) {
-    Table::Column found;
-    for (std::size_t c = 0; c < titles.size(); ++c)
-      if (is_named(titles[c], before, name) && (!found || (!has_unit(titles[*found]) && has_unit(titles[c]))))
-        found = c;
-    if (found) return found;
-  }
-  return std::nullopt;
-}
-
-/// A name of the caller's as the number of a column from 1; nothing if it is none.
-std::optional<std::size_t> column_number(std::string_view name) {
-  std::size_t number = 0;
-  const auto [end, error] = std::from_chars(name.data(), name.data() + name.size(), number);
-  if (error != std::errc() || end != name.data() + name.size() || number == 0 || number > most_columns)
-    return std::nullopt;
-  return number - 1;
-}
-
-/// The column that the caller names: so written, or the same in other letters, or by its number.
-Table::Column of_caller(std::string_view name, const std::vector<std::string>& header, const Titles& titles) {
-  if (const auto same = std::ranges::find(header, trimmed(name)); same != header.end())
-    return static_cast<std::size_t>(same - header.begin());
-  const std::string plain = column_title(name).whole;
-  for (std::size_t c = 0; c < titles.size(); ++c)
-    if (!plain.empty() && titles[c].whole == plain) return c;
-  const auto number = column_number(name);
-  return number && *number < header.size() ? number : std::nullopt;
-}
-
-std::optional<Table> header_of(const SheetRow& row, const TrackOptions& options) {
-  return HeaderReader(row, options).table();
-}
-
-std::size_t named_columns(const SheetRow& row, const TrackOptions& options) {
-  return HeaderReader(row, options).named();
-}
-
-bool is_numeric(std::string_view field) { return sheet_number(field, false) || sheet_number(field, true); }
-
-namespace {
-
 /// The row that is most likely the header: it has columns that the caller names, and many fields.
 SheetRow likeliest(std::string_view text, std::optional<char> separator, const TrackOptions& options) {
   SheetRow likeliest;
@@ -176,7 +159,7 @@ SheetRow likeliest(std::string_view text, std::optional<char> separator, const T
   for (const char one : separators) {
     if (separator && one != *separator) continue;
     for (const SheetRow& row : sheet_rows(text, one, deepest_header)) {
-      const double named = static_cast<double>(named_columns(row, options));
+      const double named = static_cast<double>(HeaderReader(row, options).named());
       const double fields = std::min(20.0, static_cast<double>(row.fields.size())) / (one == ' ' ? 3.0 : 1.0);
       if (const double score = 100.0 * named + fields; score > best) {
         best = score;
@@ -244,6 +227,17 @@ std::string known_kind(const Titles& titles) {
 }
 
 } // namespace
+
+std::optional<std::size_t> column_number(std::string_view name) {
+  const auto number = number_in<std::size_t>(name);
+  return number && *number > 0 && *number <= most_columns ? std::optional(*number - 1) : std::nullopt;
+}
+
+std::optional<Table> header_of(const SheetRow& row, const TrackOptions& options) {
+  return HeaderReader(row, options).table();
+}
+
+bool is_numeric(std::string_view field) { return sheet_number(field, false) || sheet_number(field, true); }
 
 void tell_no_header(std::string_view text, std::optional<char> separator, const TrackOptions& options,
                     Findings& findings) {

@@ -1,4 +1,4 @@
-#include "tracks/numbers.hpp"
+#include "tracks/table.hpp"
 
 #include "parameters/document.hpp"
 #include "tracks/layouts.hpp"

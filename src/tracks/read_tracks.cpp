@@ -6,7 +6,7 @@
 #include "statistics/sample.hpp"
 #include "tracks/layouts.hpp"
 #include "tracks/leaps.hpp"
-#include "tracks/text.hpp"
+#include "tracks/table.hpp"
 
 #include <fmt/format.h>
 
@@ -42,9 +42,9 @@ struct Path {
 class Grid {
 public:
   /// @param spots  calibrated: um and s
-  /// @param exact  whether times are multiples of the interval from frame to frame, not time stamps
-  Grid(const Spots& spots, bool exact, const TrackOptions& options, Findings& findings)
-      : m_options(options), m_findings(findings), m_exact(exact), m_digit(exact ? 0.0 : spots.t_digit) {
+  Grid(const Spots& spots, const TrackOptions& options, Findings& findings)
+      : m_options(options), m_findings(findings), m_exact(spots.scales.by_frame),
+        m_digit(m_exact ? 0.0 : spots.t_digit) {
     if (!spots.apart.empty()) m_apart = spots.apart;
     m_paths.resize(spots.names.size());
     for (std::size_t k = 0; k < m_paths.size(); ++k) m_paths[k].name = spots.names[k];
@@ -255,7 +255,7 @@ private:
 
   const TrackOptions& m_options;
   Findings& m_findings;
-  bool m_exact;
+  bool m_exact;                  ///< whether times are multiples of the interval from frame to frame, not time stamps
   double m_digit;                ///< that times are written to [s]
   bool m_rounded = false;        ///< whether it explains how steps differ
   std::string m_apart = no_name; ///< the column that tells movies apart
@@ -303,13 +303,10 @@ void fill(const Text& text, const TrackOptions& options, Tracks& tracks, Finding
                                                 : table_spots(text.utf8, options, findings);
   if (findings.good() && spots.spots.empty()) findings.fault(0, "has no position in a track");
   if (!findings.good()) return;
+  calibrate(spots, options, findings);
+  static_cast<Understood&>(tracks) = spots;
   tracks.encoding = text.encoding;
-  tracks.layout = spots.layout;
-  tracks.separator = spots.separator;
-  tracks.decimal_comma = spots.decimal_comma;
-  tracks.columns = spots.columns;
-  tracks.scales = calibrate(spots, options, findings);
-  if (findings.good()) Grid(spots, tracks.scales.by_frame, options, findings).fill(tracks);
+  if (findings.good()) Grid(spots, options, findings).fill(tracks);
   if (!findings.good()) return;
   if (tracks.missing() > 0)
     findings.note(fmt::format("{} missing within tracks; gaps are not filled",

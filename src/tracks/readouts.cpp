@@ -2,7 +2,7 @@
 
 #include "statistics/bootstrap.hpp"
 #include "statistics/sample.hpp"
-#include "tracks/displacements.hpp"
+#include "tracks/read_tracks.hpp"
 
 #include <fmt/format.h>
 

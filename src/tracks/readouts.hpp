@@ -1,6 +1,5 @@
 #pragma once
 
-#include "tracks/displacements.hpp"
 #include "tracks/read_tracks.hpp"
 
 #include <array>

@@ -1,4 +1,4 @@
-#include "tracks/sheet.hpp"
+#include "tracks/table.hpp"
 
 #include "tracks/layouts.hpp"
 

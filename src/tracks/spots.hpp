@@ -22,22 +22,28 @@ struct Spot {
   const SheetRow* row = nullptr; ///< of a table, while it is read
 };
 
-/// What the columns of a file were taken for; empty where there is none.
-struct ColumnsUsed {
-  std::string track, t, frame, x, y, made_up, measured;
-  std::vector<std::string> group;
+/// What the positions of a file were multiplied with.
+struct Scales {
+  double um_per_unit = 1.0;
+  double s_per_unit = 1.0; ///< of t, or of the number of the frame
+  bool by_frame = false;   ///< times are frame x s_per_unit
 };
 
-struct Spots {
-  std::vector<Spot> spots;
-  std::vector<std::string> names; ///< of the tracks
-  ColumnsUsed columns;
-  std::string layout;
+/// How a file was understood.
+struct Understood {
+  std::string encoding, layout;
   char separator = '\0'; ///< none of XML
   bool decimal_comma = false;
-  std::string length_unit; ///< as the file states it; empty if it does not
-  std::string time_unit;   ///< of t
-  double t_digit = 0.0;    ///< the last one that t is written to; 0 if it is not known
+  ColumnNames columns; ///< what the columns were taken for; empty where there is none
+  Scales scales;
+};
+
+struct Spots : Understood {
+  std::vector<Spot> spots;
+  std::vector<std::string> names; ///< of the tracks
+  std::string length_unit;        ///< as the file states it; empty if it does not
+  std::string time_unit;          ///< of t
+  double t_digit = 0.0;           ///< the last one that t is written to; 0 if it is not known
   bool has_t() const { return !columns.t.empty(); }
   bool has_frames() const { return !columns.frame.empty(); }
   std::size_t nowhere = 0; ///< rows without a position
@@ -54,15 +60,9 @@ Spots xml_spots(std::string_view text, Findings& findings);
 /// The points of MTrackJ's data file (.mdf): in pixels, at numbers of frames.
 Spots mtrackj_spots(std::string_view text, Findings& findings);
 
-/// What the positions of a file were multiplied with.
-struct Scales {
-  double um_per_unit = 1.0;
-  double s_per_unit = 1.0; ///< of t, or of the number of the frame
-  bool by_frame = false;   ///< times are frame x s_per_unit
-};
-
-/// Turns x and y into um, and t into s. Nothing is guessed: what neither the file nor the caller states is a fault.
-/// What the caller states counts; if the file states another, a note says so. Test: tests/unit/tracks/reading_test.cpp
-Scales calibrate(Spots& spots, const TrackOptions& options, Findings& findings);
+/// Turns x and y into um, and t into s, and notes the scales. Nothing is guessed: what neither the file nor the caller
+/// states is a fault. What the caller states counts; if the file states another, a note says so. Test:
+/// tests/unit/tracks/reading_test.cpp
+void calibrate(Spots& spots, const TrackOptions& options, Findings& findings);
 
 } // namespace matrigrate::tracks

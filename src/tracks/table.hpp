@@ -3,16 +3,59 @@
 #include "tracks/findings.hpp"
 #include "tracks/layouts.hpp"
 #include "tracks/options.hpp"
-#include "tracks/sheet.hpp"
 
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
-/// The table in a text: its separator, its header, which column holds what. Test: tests/unit/tracks/text_test.cpp
+/// From the bytes of a file to the table in it: its text, its rows of fields, its header, which column holds what, and
+/// how its numbers and times are written. Test: tests/unit/tracks/text_test.cpp
 namespace matrigrate::tracks {
+
+struct Text {
+  std::string utf8;     ///< lines end with \n, minus signs are "-", blanks " "
+  std::string encoding; ///< "UTF-8", "UTF-16" or "Windows-1252"
+};
+
+/// Takes UTF-8, UTF-16 with its mark, and what is neither as Windows-1252 (which has Latin-1 in it), with a note. A
+/// workbook, a compressed file and what is no text are faults.
+Text decoded(std::string_view bytes, Findings& findings);
+
+struct SheetRow {
+  std::size_t line = 0; ///< where it begins, from 1
+  std::vector<std::string> fields;
+  bool open_quote = false; ///< whether a quote of it is not closed
+  std::size_t part = 0;    ///< which of several files that were joined it is from
+};
+
+inline constexpr std::size_t all_rows = std::numeric_limits<std::size_t>::max();
+
+/// The rows that are not empty. A field that begins with a quote ends with one; two stand for one within. A blank as
+/// separator stands for any number of blanks and tabs; other fields lose the blanks around them.
+/// @param most  rows
+std::vector<SheetRow> sheet_rows(std::string_view text, char separator, std::size_t most = all_rows);
+
+/// The separator that a first line "sep=;" names, which is taken off the text.
+std::optional<char> named_separator(std::string_view& text);
+
+/// A decimal number and nothing else: no hexadecimal, no "inf", no "1_000".
+/// @param comma  whether the comma is the decimal sign
+std::optional<double> sheet_number(std::string_view field, bool comma);
+
+/// Whether it would be a number without the signs between its thousands: "1.000,5", "12,345,678".
+bool has_thousands_sign(std::string_view field);
+
+/// Whether a field says that there is no value: empty, "NaN", "NA", "None", "-"...
+bool says_nothing(std::string_view field);
+
+/// Whether an id says that there is no track: it says nothing, or is a negative number.
+bool is_no_track(std::string_view id);
+
+/// The text behind the sign of a comment that it begins with, #, %, // or ;. Nothing if it begins with none.
+std::optional<std::string_view> behind_comment_sign(std::string_view text);
 
 struct Table {
   using Column = std::optional<std::size_t>; ///< number from 0
@@ -35,24 +78,12 @@ struct Table {
 /// @return nothing, and a fault that names the way out, if the text has no table of tracks
 std::optional<Table> find_table(std::string_view text, const TrackOptions& options, Findings& findings);
 
-using Titles = std::vector<ColumnTitle>;
-
-/// The column of the first of these names that is there; of several columns of one name the one whose unit is known.
-/// @param before  what stands before each name
-Table::Column of_layout(const Layout::Names& names, const Titles& titles, const std::string& before = {});
-
 /// A name of the caller's as the number of a column from 1; nothing if it is none.
 /// @return  the number from 0
 std::optional<std::size_t> column_number(std::string_view name);
 
-/// The column that the caller names: so written, or the same in other letters, or by its number.
-Table::Column of_caller(std::string_view name, const std::vector<std::string>& header, const Titles& titles);
-
 /// A row as a header: a table without its rows. Nothing if it is none.
 std::optional<Table> header_of(const SheetRow& row, const TrackOptions& options);
-
-/// How many of the columns that the caller names a row has.
-std::size_t named_columns(const SheetRow& row, const TrackOptions& options);
 
 /// Whether a field is a number, with a point or a comma.
 bool is_numeric(std::string_view field);
@@ -64,6 +95,31 @@ void tell_no_header(std::string_view text, std::optional<char> separator, const 
 /// Where a separator is looked for: tab, semicolon, comma, blanks.
 inline constexpr char separators[] = {'\t', ';', ',', ' '};
 inline constexpr std::size_t deepest_header = 30; ///< rows that are searched for a header
-inline constexpr std::size_t most_columns = 2000;
+
+struct NumberSigns {
+  char decimal = '.';
+  char thousands = '\0'; ///< none
+};
+
+/// The signs of the numbers of places and times, with a note if they are not points alone; a fault if they cannot be
+/// told. A sign with three digits behind it each time, in a column that has other numbers without any, separates
+/// thousands.
+NumberSigns number_signs(const Table& table, Findings& findings);
+
+/// A number as sheet_number(), with these signs; blanks and apostrophes between thousands do not count.
+std::optional<double> number_of(std::string_view field, const NumberSigns& signs);
+
+/// How the times of a column are written: as numbers, or by the clock.
+struct Clock {
+  bool runs = false;
+  bool hours = true;   ///< whether "02:03" are hours and minutes, not minutes and seconds
+  double origin = 0.0; ///< of times with a date: that of the first [s]
+};
+
+/// A fault if times by the clock can be read in two ways.
+Clock clock_of(const Table& table, Findings& findings);
+
+/// "1:02:03.5", "02:03.5", "1 days 00:02:00", "2024-05-03T10:05:00Z", "3.5.2024 10:05", "10:05:00 PM" in s.
+std::optional<double> clock_time(std::string_view field, const Clock& clock);
 
 } // namespace matrigrate::tracks

@@ -2,8 +2,8 @@
 #include "statistics/sample.hpp"
 #include "tracks/layouts.hpp"
 #include "tracks/leaps.hpp"
-#include "tracks/numbers.hpp"
 #include "tracks/spots.hpp"
+#include "tracks/table.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -405,9 +405,10 @@ private:
                        .frame = name(m_table.frame),
                        .x = name(m_table.x),
                        .y = name(m_table.y),
+                       .z = {},
+                       .group = names(movies),
                        .made_up = name(m_table.made_up),
-                       .measured = name(m_table.measured),
-                       .group = names(movies)};
+                       .measured = name(m_table.measured)};
   }
 
   const Table& m_table;

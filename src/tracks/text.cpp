@@ -1,4 +1,4 @@
-#include "tracks/text.hpp"
+#include "tracks/table.hpp"
 
 #include <fmt/format.h>
 

@@ -1,7 +1,7 @@
 #include "observe/displacement_statistics.hpp"
 
 #include "observe/readouts.hpp"
-#include "tracks/displacements.hpp"
+#include "tracks/read_tracks.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 #include "base/random.hpp"
-#include "tracks/drift.hpp"
+#include "tracks/read_tracks.hpp"
 #include "unit/tracks/reading.hpp"
 
 #include <fmt/format.h>

@@ -1,6 +1,4 @@
-#include "tracks/numbers.hpp"
-#include "tracks/sheet.hpp"
-#include "tracks/text.hpp"
+#include "tracks/table.hpp"
 #include "unit/tracks/reading.hpp"
 
 #include <fmt/format.h>
