@@ -33,11 +33,16 @@ std::vector<double> deviations(const std::vector<double>& x) {
   return all;
 }
 
+/// Two-sided p of r, whose t has this many degrees of freedom.
+double p_of(double r, double df) {
+  const double rest = 1.0 - r * r;
+  return rest > 0.0 ? t_two_sided(r * std::sqrt(df / rest), df) : 0.0;
+}
+
 /// The pairs of which both values are finite.
 std::pair<std::vector<double>, std::vector<double>> finite_pairs(Values x, Values y) {
   if (x.size() != y.size()) throw std::invalid_argument("a correlation of samples of different length");
-  std::vector<double> u;
-  std::vector<double> v;
+  std::vector<double> u, v;
   for (std::size_t i = 0; i < x.size(); ++i) {
     if (!std::isfinite(x[i]) || !std::isfinite(y[i])) continue;
     u.push_back(x[i]);
@@ -50,11 +55,8 @@ std::pair<std::vector<double>, std::vector<double>> finite_pairs(Values x, Value
 
 Correlation pearson(Values x, Values y) {
   const auto [u, v] = finite_pairs(x, y);
-  const double x_mean = moments(u).mean;
-  const double y_mean = moments(v).mean;
-  double xx = 0.0;
-  double yy = 0.0;
-  double xy = 0.0;
+  const double x_mean = moments(u).mean, y_mean = moments(v).mean;
+  double xx = 0.0, yy = 0.0, xy = 0.0;
   for (std::size_t i = 0; i < u.size(); ++i) {
     xx += (u[i] - x_mean) * (u[i] - x_mean);
     yy += (v[i] - y_mean) * (v[i] - y_mean);
@@ -63,10 +65,7 @@ Correlation pearson(Values x, Values y) {
   Correlation c{u.size(), undefined, undefined};
   if (!(xx > 0.0 && yy > 0.0)) return c;
   c.r = std::clamp(xy / std::sqrt(xx * yy), -1.0, 1.0);
-  if (c.n < 3) return c;
-  const double df = static_cast<double>(c.n) - 2.0;
-  const double rest = 1.0 - c.r * c.r;
-  c.p = rest > 0.0 ? t_two_sided(c.r * std::sqrt(df / rest), df) : 0.0;
+  if (c.n >= 3) c.p = p_of(c.r, static_cast<double>(c.n) - 2.0);
   return c;
 }
 
@@ -91,8 +90,7 @@ Correlation pearson_within(Values x, Values y, const std::vector<std::size_t>& g
     pairs[group[i]].first.push_back(x[i]);
     pairs[group[i]].second.push_back(y[i]);
   }
-  std::vector<double> u;
-  std::vector<double> v;
+  std::vector<double> u, v;
   std::size_t groups = 0;
   for (const auto& [of, both] : pairs) {
     if (both.first.size() < 2) continue;
@@ -101,11 +99,7 @@ Correlation pearson_within(Values x, Values y, const std::vector<std::size_t>& g
     std::ranges::copy(deviations(both.second), std::back_inserter(v));
   }
   Correlation c = pearson(u, v);
-  c.p = undefined;
-  if (c.n < groups + 2 || std::isnan(c.r)) return c;
-  const double df = static_cast<double>(c.n - groups) - 1.0;
-  const double rest = 1.0 - c.r * c.r;
-  c.p = rest > 0.0 ? t_two_sided(c.r * std::sqrt(df / rest), df) : 0.0;
+  c.p = c.n < groups + 2 || std::isnan(c.r) ? undefined : p_of(c.r, static_cast<double>(c.n - groups) - 1.0);
   return c;
 }
 

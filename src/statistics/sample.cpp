@@ -1,10 +1,10 @@
 #include "statistics/sample.hpp"
 
+#include "base/random.hpp"
 #include "statistics/distributions.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 
 namespace matrigrate::statistics {
 
@@ -27,8 +27,8 @@ std::vector<double> sorted(Values x) {
 } // namespace
 
 std::vector<double> finite(Values x) {
-  std::vector<double> y;
-  std::ranges::copy_if(x, std::back_inserter(y), [](double value) { return std::isfinite(value); });
+  std::vector<double> y(x.begin(), x.end());
+  std::erase_if(y, [](double value) { return !std::isfinite(value); });
   return y;
 }
 
@@ -47,8 +47,8 @@ Moments moments(Values x) {
 }
 
 double mean_of_defined(Values x) {
-  std::vector<double> defined;
-  std::ranges::copy_if(x, std::back_inserter(defined), [](double value) { return !std::isnan(value); });
+  std::vector<double> defined(x.begin(), x.end());
+  std::erase_if(defined, [](double value) { return std::isnan(value); });
   return moments(defined).mean;
 }
 
@@ -71,6 +71,27 @@ Box box(Values x) {
     b.high_whisker = std::max(b.high_whisker, b.high_quartile);
   }
   return b;
+}
+
+std::vector<std::size_t> resampled(std::size_t n, std::uint64_t key, std::size_t draw) {
+  std::vector<std::size_t> indices(n);
+  for (std::size_t i = 0; i < n; ++i)
+    indices[i] = static_cast<std::size_t>(uniform(key, Purpose::sampling, draw, static_cast<std::uint32_t>(i))
+                                          * static_cast<double>(n));
+  return indices;
+}
+
+std::vector<double> picked(Values x, const std::vector<std::size_t>& indices) {
+  std::vector<double> values;
+  values.reserve(indices.size());
+  for (const std::size_t i : indices) values.push_back(x[i]);
+  return values;
+}
+
+Interval percentile_interval(double value, Values draws, double alpha) {
+  const std::vector<double> defined = finite(draws);
+  if (std::isnan(value) || defined.empty() || 2 * defined.size() < draws.size()) return {value, undefined, undefined};
+  return {value, quantile(defined, 0.5 * alpha), quantile(defined, 1.0 - 0.5 * alpha)};
 }
 
 } // namespace matrigrate::statistics

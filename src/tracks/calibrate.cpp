@@ -17,19 +17,17 @@ namespace matrigrate::tracks {
 
 namespace {
 
-constexpr double largest_length = 1e9; ///< [um]
-constexpr double largest_time = 1e10;  ///< [s]
-constexpr double same_step = 0.05;     ///< by which two statements of one interval may differ
+constexpr double same_step = 0.05; ///< by which two statements of one interval may differ
 
 using Time = std::pair<bool, double>; ///< whether by frames, and s per unit
 
 bool about(double a, double b) { return std::abs(a - b) <= same_step * std::abs(b); }
 
-/// Median steps along tracks.
+/// Median steps along tracks; 0 without any.
 struct Steps {
-  double t = 0.0, frame = 0.0, t_per_frame = 0.0;
-  bool t_is_frame = false; ///< whether both are the same numbers
-  bool counts = false;     ///< whether t can be a number of frames
+  double t, frame, t_per_frame;
+  bool t_is_frame; ///< whether both are the same numbers
+  bool counts;     ///< whether t can be a number of frames
 };
 
 Steps steps_of(const Spots& spots) {
@@ -47,11 +45,12 @@ Steps steps_of(const Spots& spots) {
     if (spots.has_frames()) ratios.push_back((b.t - a.t) / (b.frame - a.frame));
   }
   const auto median = [](const std::vector<double>& x) { return x.empty() ? 0.0 : statistics::quantile(x, 0.5); };
-  Steps steps{.t = median(t_steps), .frame = median(frame_steps), .t_per_frame = median(ratios)};
-  steps.t_is_frame = std::ranges::all_of(spots.spots, [](const Spot& s) { return s.t == s.frame; });
-  steps.counts =
-      steps.t == 1.0 && std::ranges::all_of(spots.spots, [](const Spot& s) { return s.t == std::round(s.t); });
-  return steps;
+  const double t = median(t_steps);
+  return {.t = t,
+          .frame = median(frame_steps),
+          .t_per_frame = median(ratios),
+          .t_is_frame = std::ranges::all_of(spots.spots, [](const Spot& s) { return s.t == s.frame; }),
+          .counts = t == 1.0 && std::ranges::all_of(spots.spots, [](const Spot& s) { return s.t == std::round(s.t); })};
 }
 
 double length(const Spots& spots, const TrackOptions& options, Findings& findings) {
@@ -107,27 +106,26 @@ Time of_interval(const Spots& spots, const Steps& steps, std::optional<double> u
                  const TrackOptions& options, Findings& findings) {
   const std::string &t = spots.columns.t, &frame = spots.columns.frame;
   const double interval = *options.interval, rise = spots.has_frames() ? steps.t_per_frame : steps.t;
+  const char* const each = spots.has_frames() ? "frame" : "position";
   const bool some_unit = std::ranges::any_of(
       time_units(), [&](const std::string& name) { return about(rise * time_unit(name).value_or(0.0), interval); });
   const bool agrees = unit ? about(rise * *unit, interval) : spots.has_frames() && some_unit;
   const bool counts = spots.has_frames() ? steps.t_is_frame : steps.counts;
   if (!unit && !agrees && !counts && rise > 0.0)
-    findings.fault(
-        0, fmt::format("{} rises by {:.6g} from {} to {}, and its unit is not stated: give {} (or min) and "
-                       "no {}{}",
-                       t, rise, spots.has_frames() ? "frame" : "position", spots.has_frames() ? "frame" : "position",
-                       options.say("time-unit", "s"), options.say("interval"),
-                       spots.has_frames() ? fmt::format(", or {} if {} is wrong",
-                                                        options.say("columns", fmt::format("frame={}", frame)), t)
-                                          : ""));
+    findings.fault(0, fmt::format("{} rises by {:.6g} from {} to {}, and its unit is not stated: give {} (or min) and "
+                                  "no {}{}",
+                                  t, rise, each, each, options.say("time-unit", "s"), options.say("interval"),
+                                  spots.has_frames()
+                                      ? fmt::format(", or {} if {} is wrong",
+                                                    options.say("columns", fmt::format("frame={}", frame)), t)
+                                      : ""));
   if (!spots.has_frames() && unit && agrees) return {false, *unit};
   if (!calibrated)
     findings.note(
         fmt::format("the movie was not calibrated ({} counts frames): times are {} x {:g} s", t, frame, interval));
   else if (unit && !agrees && rise > 0.0)
-    findings.note(fmt::format("{} says {:.6g} s from {} to {}; it is taken as {:g} s, as given", t, rise * *unit,
-                              spots.has_frames() ? "frame" : "position", spots.has_frames() ? "frame" : "position",
-                              interval));
+    findings.note(fmt::format("{} says {:.6g} s from {} to {}; it is taken as {:g} s, as given", t, rise * *unit, each,
+                              each, interval));
   else if (spots.has_frames())
     findings.note(fmt::format("times are {} x {:g} s; {} is not used", frame, interval, t));
   else
@@ -157,6 +155,8 @@ Time time(const Spots& spots, const TrackOptions& options, Findings& findings) {
 
 /// Numbers so large that sums of their squares would overflow are no positions.
 void check_bounds(const Spots& spots, Findings& findings) {
+  constexpr double largest_length = 1e9; // [um]
+  constexpr double largest_time = 1e10;  // [s]
   for (const Spot& s : spots.spots) {
     for (const double value : {s.x, s.y})
       if (!(std::abs(value) <= largest_length))

@@ -1,6 +1,5 @@
 #include "tracks/readouts.hpp"
 
-#include "statistics/bootstrap.hpp"
 #include "statistics/sample.hpp"
 #include "tracks/read_tracks.hpp"
 

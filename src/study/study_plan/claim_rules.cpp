@@ -1,6 +1,5 @@
 #include "study_plan/claim_rules.hpp"
 
-#include "statistics/bootstrap.hpp"
 #include "statistics/compare.hpp"
 #include "statistics/correlation.hpp"
 #include "statistics/sample.hpp"

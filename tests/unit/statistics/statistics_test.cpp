@@ -1,4 +1,3 @@
-#include "statistics/bootstrap.hpp"
 #include "statistics/compare.hpp"
 #include "statistics/correlation.hpp"
 #include "statistics/distributions.hpp"
