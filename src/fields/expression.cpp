@@ -128,10 +128,7 @@ Expression::Expression(FormulaTree tree, std::span<const std::string_view> varia
 const FormulaTree& Expression::tree() const { return m_parser->tree; }
 
 Expression::Expression(Expression&&) noexcept = default;
-Expression& Expression::operator=(Expression&& other) noexcept {
-  m_parser = std::move(other.m_parser);
-  return *this;
-}
+Expression& Expression::operator=(Expression&&) noexcept = default;
 Expression::~Expression() = default;
 
 double Expression::at(std::span<const double> arguments) const {

@@ -39,6 +39,13 @@ std::string lower(std::string text) {
   return text;
 }
 
+template <class... Parts>
+Part made(Part::Kind kind, std::string text, std::size_t at, Parts... of) {
+  Part part{kind, std::move(text), at, {}};
+  (part.parts.push_back(std::move(of)), ...);
+  return part;
+}
+
 /// Reads words by recursive descent.
 class Parser {
 public:
@@ -82,12 +89,10 @@ private:
     Part first = infix_of(1);
     if (!is_sign("?")) return first;
     ++m_next;
-    Part part{Part::Kind::choice, "?", first.at, {}};
-    part.parts.push_back(std::move(first));
-    part.parts.push_back(choice());
+    const std::size_t at = first.at;
+    Part second = choice();
     if (!take(":")) refuse(word(), fmt::format("a choice is c ? a : b, and here is {} in place of :", shown()));
-    part.parts.push_back(choice());
-    return part;
+    return made(Part::Kind::choice, "?", at, std::move(first), std::move(second), choice());
   }
 
   Part infix_of(int least) {
@@ -102,10 +107,7 @@ private:
       if (of == of_comparison && comparison && m_chained.empty()) m_chained = chained(left, at, *sign, right);
       comparison = of == of_comparison;
       const std::size_t begin = left.at;
-      Part both{Part::Kind::infix, *sign, begin, {}};
-      both.parts.push_back(std::move(left));
-      both.parts.push_back(std::move(right));
-      left = std::move(both);
+      left = made(Part::Kind::infix, *sign, begin, std::move(left), std::move(right));
     }
     return left;
   }
@@ -123,16 +125,11 @@ private:
     if (at.kind == Word::Kind::sign && (at.text == "-" || at.text == "+" || at.text == "!")) {
       ++m_next;
       Part of = infix_of(of_power);
-      if (at.text == "+") return of;
-      Part part{Part::Kind::prefix, at.text, at.at, {}};
-      part.parts.push_back(std::move(of));
-      return part;
+      return at.text == "+" ? of : made(Part::Kind::prefix, at.text, at.at, std::move(of));
     }
     if (is_keyword("not")) {
       ++m_next;
-      Part part{Part::Kind::prefix, "!", at.at, {}};
-      part.parts.push_back(infix_of(of_comparison));
-      return part;
+      return made(Part::Kind::prefix, "!", at.at, infix_of(of_comparison));
     }
     if (take("(")) return in_parentheses(at);
     if (at.kind == Word::Kind::number) {
@@ -181,9 +178,8 @@ private:
     if (!take("(")) refuse(of, fmt::format("{} needs its arguments in parentheses", of.text));
     std::vector<Part> all;
     if (take(")")) return all;
-    do {
-      all.push_back(choice());
-    } while (take(","));
+    do all.push_back(choice());
+    while (take(","));
     if (at_end()) refuse(open, "the parenthesis that opens here is never closed");
     if (!take(")")) refuse_what_follows();
     return all;
@@ -206,12 +202,8 @@ private:
     std::vector<Part> of = arguments(at);
     if (of.size() < 2) refuse(at, fmt::format("write a {} b", sign));
     Part all = std::move(of.front());
-    for (std::size_t k = 1; k < of.size(); ++k) {
-      Part both{Part::Kind::infix, sign, at.at, {}};
-      both.parts.push_back(std::move(all));
-      both.parts.push_back(std::move(of[k]));
-      all = std::move(both);
-    }
+    for (std::size_t k = 1; k < of.size(); ++k)
+      all = made(Part::Kind::infix, sign, at.at, std::move(all), std::move(of[k]));
     return all;
   }
 
@@ -229,13 +221,9 @@ private:
     if (pairs ? of.size() < 3 || of.size() % 2 == 0 : of.size() != 3)
       refuse(at, "write c ? a : b, which is a where c holds and b otherwise");
     Part all = std::move(of.back());
-    for (std::size_t k = of.size() - 1; k >= 2; k -= 2) {
-      Part one{Part::Kind::choice, "?", at.at, {}};
-      one.parts.push_back(std::move(of[k - 2 + order[1]]));
-      one.parts.push_back(std::move(of[k - 2 + order[0]]));
-      one.parts.push_back(std::move(all));
-      all = std::move(one);
-    }
+    for (std::size_t k = of.size() - 1; k >= 2; k -= 2)
+      all = made(Part::Kind::choice, "?", at.at, std::move(of[k - 2 + order[1]]), std::move(of[k - 2 + order[0]]),
+                 std::move(all));
     return all;
   }
 

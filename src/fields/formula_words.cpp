@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <span>
 
 namespace matrigrate::fields {
 
@@ -16,69 +17,64 @@ struct Spelling {
   std::string_view here;
 };
 
-constexpr std::array signs{
-    Spelling{"**", "^"}, Spelling{"==", "=="}, Spelling{"!=", "!="}, Spelling{"<=", "<="}, Spelling{">=", ">="},
-    Spelling{"&&", "&&"}, Spelling{"||", "||"}, Spelling{"+", "+"}, Spelling{"-", "-"}, Spelling{"*", "*"},
-    Spelling{"/", "/"}, Spelling{"^", "^"}, Spelling{"<", "<"}, Spelling{">", ">"}, Spelling{"!", "!"},
-    Spelling{"?", "?"}, Spelling{":", ":"}, Spelling{"(", "("}, Spelling{")", ")"}, Spelling{",", ","},
-    // as text processors set them
-    Spelling{"\u2212", "-"}, Spelling{"\u2013", "-"}, Spelling{"\u2010", "-"}, Spelling{"\u2011", "-"},
-    Spelling{"\u00b7", "*"}, Spelling{"\u22c5", "*"}, Spelling{"\u2219", "*"}, Spelling{"\u00d7", "*"},
-    Spelling{"\u2217", "*"}, Spelling{"\u00f7", "/"}, Spelling{"\u2215", "/"}, Spelling{"\u2044", "/"},
-    Spelling{"\u2264", "<="}, Spelling{"\u2265", ">="}, Spelling{"\u2260", "!="}, Spelling{"\u2227", "&&"},
-    Spelling{"\u2228", "||"}, Spelling{"\u00ac", "!"}};
+/// Also as text processors set them.
+constexpr Spelling signs[]{{"**", "^"},      {"==", "=="},     {"!=", "!="},     {"<=", "<="},     {">=", ">="},
+                           {"&&", "&&"},     {"||", "||"},     {"+", "+"},       {"-", "-"},       {"*", "*"},
+                           {"/", "/"},       {"^", "^"},       {"<", "<"},       {">", ">"},       {"!", "!"},
+                           {"?", "?"},       {":", ":"},       {"(", "("},       {")", ")"},       {",", ","},
+                           {"\u2212", "-"},  {"\u2013", "-"},  {"\u2010", "-"},  {"\u2011", "-"},  {"\u00b7", "*"},
+                           {"\u22c5", "*"},  {"\u2219", "*"},  {"\u00d7", "*"},  {"\u2217", "*"},  {"\u00f7", "/"},
+                           {"\u2215", "/"},  {"\u2044", "/"},  {"\u2264", "<="}, {"\u2265", ">="}, {"\u2260", "!="},
+                           {"\u2227", "&&"}, {"\u2228", "||"}, {"\u00ac", "!"}};
 
 constexpr std::array blanks{" ", "\t", "\n", "\r", "\u00a0", "\u2009", "\u202f", "\u2002", "\u2003", "\u200a"};
 
-constexpr std::array superscripts{Spelling{"\u2070", "0"}, Spelling{"\u00b9", "1"}, Spelling{"\u00b2", "2"},
-                                  Spelling{"\u00b3", "3"}, Spelling{"\u2074", "4"}, Spelling{"\u2075", "5"},
-                                  Spelling{"\u2076", "6"}, Spelling{"\u2077", "7"}, Spelling{"\u2078", "8"},
-                                  Spelling{"\u2079", "9"}, Spelling{"\u207b", "-"}};
+constexpr Spelling superscripts[]{{"\u2070", "0"}, {"\u00b9", "1"}, {"\u00b2", "2"}, {"\u00b3", "3"},
+                                  {"\u2074", "4"}, {"\u2075", "5"}, {"\u2076", "6"}, {"\u2077", "7"},
+                                  {"\u2078", "8"}, {"\u2079", "9"}, {"\u207b", "-"}};
 
 /// Signs that no formula has, and what to write.
-constexpr std::array strangers{
-    Spelling{"<>", "write != for unequal"},
-    Spelling{"%", "write mod(a, b) for the rest of a/b, which has the sign of b, and 0.5 for 50 %"},
-    Spelling{"&", "write && for and"},
-    Spelling{"|", "write || for or"},
-    Spelling{"=", "= would set a value; write == to compare"},
-    Spelling{"[", "write parentheses ( )"},
-    Spelling{"]", "write parentheses ( )"},
-    Spelling{"{", "write parentheses ( )"},
-    Spelling{"}", "write parentheses ( )"},
-    Spelling{";", "a formula has one value; a comma stands between the arguments of a function"},
-    Spelling{"~", "write ! for not"},
-    Spelling{"\u221a", "write sqrt( )"},
-    Spelling{"\u221e", "a formula has no infinity"}};
+constexpr Spelling strangers[]{{"<>", "write != for unequal"},
+                               {"%", "write mod(a, b) for the rest of a/b, which has the sign of b, and 0.5 for 50 %"},
+                               {"&", "write && for and"},
+                               {"|", "write || for or"},
+                               {"=", "= would set a value; write == to compare"},
+                               {"[", "write parentheses ( )"},
+                               {"]", "write parentheses ( )"},
+                               {"{", "write parentheses ( )"},
+                               {"}", "write parentheses ( )"},
+                               {";", "a formula has one value; a comma stands between the arguments of a function"},
+                               {"~", "write ! for not"},
+                               {"\u221a", "write sqrt( )"},
+                               {"\u221e", "a formula has no infinity"}};
 
-constexpr std::array other_names{
-    Spelling{"pi", "_pi"},        Spelling{"PI", "_pi"},      Spelling{"\u03c0", "_pi"},  Spelling{"true", "1"},
-    Spelling{"True", "1"},        Spelling{"false", "0"},     Spelling{"False", "0"},     Spelling{"fabs", "abs"},
-    Spelling{"ceiling", "ceil"},  Spelling{"arcsin", "asin"}, Spelling{"arccos", "acos"}, Spelling{"arctan", "atan"},
-    Spelling{"arctan2", "atan2"}, Spelling{"fmin", "min"},    Spelling{"fmax", "max"},    Spelling{"power", "pow"},
-    Spelling{"ifelse", "if"},     Spelling{"iif", "if"},      Spelling{"where", "if"}};
+constexpr Spelling other_names[]{{"pi", "_pi"},        {"PI", "_pi"},      {"\u03c0", "_pi"},  {"true", "1"},
+                                 {"True", "1"},        {"false", "0"},     {"False", "0"},     {"fabs", "abs"},
+                                 {"ceiling", "ceil"},  {"arcsin", "asin"}, {"arccos", "acos"}, {"arctan", "atan"},
+                                 {"arctan2", "atan2"}, {"fmin", "min"},    {"fmax", "max"},    {"power", "pow"},
+                                 {"ifelse", "if"},     {"iif", "if"},      {"where", "if"}};
 
-constexpr std::array ways{Spelling{"e", "write exp(a) for e^a, _e for the number"},
-                          Spelling{"heaviside", "write a > 0 ? 1 : 0"},
-                          Spelling{"step", "write a > 0 ? 1 : 0"},
-                          Spelling{"sqr", "write a^2"},
-                          Spelling{"square", "write a^2"},
-                          Spelling{"round", "write floor(a + 0.5)"},
-                          Spelling{"trunc", "write floor(a) or ceil(a)"},
-                          Spelling{"int", "write floor(a) or ceil(a)"},
-                          Spelling{"fmod", "write mod(a, b), which has the sign of b"},
-                          Spelling{"rem", "write mod(a, b), which has the sign of b"},
-                          Spelling{"lg", "write log10(a)"},
-                          Spelling{"LOG", "write log10(a) of the decimal logarithm, ln(a) of the natural one"},
-                          Spelling{"cot", "write 1/tan(a)"},
-                          Spelling{"sec", "write 1/cos(a)"},
-                          Spelling{"csc", "write 1/sin(a)"},
-                          Spelling{"xor", "write (a) != (b) of two comparisons"},
-                          Spelling{"mean", "write avg(a, b)"},
-                          Spelling{"rand", "a formula has no random numbers"},
-                          Spelling{"random", "a formula has no random numbers"},
-                          Spelling{"else", "write c ? a : b"},
-                          Spelling{"then", "write c ? a : b"}};
+constexpr Spelling ways[]{{"e", "write exp(a) for e^a, _e for the number"},
+                          {"heaviside", "write a > 0 ? 1 : 0"},
+                          {"step", "write a > 0 ? 1 : 0"},
+                          {"sqr", "write a^2"},
+                          {"square", "write a^2"},
+                          {"round", "write floor(a + 0.5)"},
+                          {"trunc", "write floor(a) or ceil(a)"},
+                          {"int", "write floor(a) or ceil(a)"},
+                          {"fmod", "write mod(a, b), which has the sign of b"},
+                          {"rem", "write mod(a, b), which has the sign of b"},
+                          {"lg", "write log10(a)"},
+                          {"LOG", "write log10(a) of the decimal logarithm, ln(a) of the natural one"},
+                          {"cot", "write 1/tan(a)"},
+                          {"sec", "write 1/cos(a)"},
+                          {"csc", "write 1/sin(a)"},
+                          {"xor", "write (a) != (b) of two comparisons"},
+                          {"mean", "write avg(a, b)"},
+                          {"rand", "a formula has no random numbers"},
+                          {"random", "a formula has no random numbers"},
+                          {"else", "write c ? a : b"},
+                          {"then", "write c ? a : b"}};
 
 bool is_decimal(char c) { return c >= '0' && c <= '9'; }
 bool is_ascii_letter(char c) { return c == '_' || std::isalpha(static_cast<unsigned char>(c)) != 0; }
@@ -129,8 +125,7 @@ private:
     return bytes;
   }
 
-  template <class Spellings>
-  const Spelling* found(const Spellings& spellings) const {
+  const Spelling* found(std::span<const Spelling> spellings) const {
     const auto it = std::ranges::find_if(spellings, [&](const Spelling& s) { return m_text.starts_with(s.typed); });
     return it == spellings.end() ? nullptr : &*it;
   }
@@ -219,15 +214,15 @@ private:
 std::vector<Word> formula_words(std::string_view text) { return Scanner(text).words(); }
 
 std::string_view way_to_write(std::string_view name) {
-  const auto way = std::ranges::find(ways, name, &Spelling::typed);
-  return way == ways.end() ? std::string_view() : way->here;
+  const auto* way = std::ranges::find(ways, name, &Spelling::typed);
+  return way == std::end(ways) ? std::string_view() : way->here;
 }
 
 std::string name_here(std::string_view name) {
   for (const std::string_view library : {"np.", "numpy.", "math.", "Math."})
     if (name.starts_with(library)) name.remove_prefix(library.size());
-  const auto other = std::ranges::find(other_names, name, &Spelling::typed);
-  return std::string(other == other_names.end() ? name : other->here);
+  const auto* other = std::ranges::find(other_names, name, &Spelling::typed);
+  return std::string(other == std::end(other_names) ? name : other->here);
 }
 
 } // namespace matrigrate::fields

@@ -99,7 +99,7 @@ NumberSigns number_signs(const Table& table, Findings& findings) {
   for (const Table::Column c : {table.x, table.y, table.t, table.frame}) {
     Evidence& own = columns.emplace_back();
     for (const SheetRow& row : table.rows)
-      if (c && *c < row.fields.size()) own.add(row.fields[*c], row.line);
+      if (c) own.add(row.field(c), row.line);
     for (const std::size_t s : {std::size_t{0}, std::size_t{1}}) {
       if (own.decimal.at(s).there() && !all.decimal.at(s).there()) all.decimal.at(s) = own.decimal.at(s);
       if (own.thousands.at(s).there() && !all.thousands.at(s).there()) all.thousands.at(s) = own.thousands.at(s);
@@ -249,7 +249,7 @@ Clock clock_of(const Table& table, Findings& findings) {
   std::set<int> days;
   double first = std::numeric_limits<double>::infinity();
   for (const SheetRow& row : table.rows) {
-    const std::string_view field = *table.t < row.fields.size() ? std::string_view(row.fields[*table.t]) : "";
+    const std::string& field = row.field(table.t);
     if (!clock.runs && !says_nothing(field) && !parse_clock(field, true)) return clock; // numbers
     const auto time = parse_clock(field, true);
     if (!time) continue;

@@ -16,32 +16,23 @@ namespace matrigrate::tracks {
 
 namespace {
 
+/// What a column may be named for, and where its name stands; a group may have several.
+using Key = std::pair<std::string_view, std::string ColumnNames::*>;
+constexpr Key column_keys[] = {{"track", &ColumnNames::track},
+                               {"t", &ColumnNames::t},
+                               {"frame", &ColumnNames::frame},
+                               {"x", &ColumnNames::x},
+                               {"y", &ColumnNames::y},
+                               {"z", &ColumnNames::z},
+                               {"group", nullptr},
+                               {"made_up", &ColumnNames::made_up},
+                               {"measured", &ColumnNames::measured}};
+
 /// The key that stands at the start of a text, before "="; empty if none does.
 std::string_view key_at(std::string_view text) {
-  for (const std::string_view key : column_keys)
+  for (const auto& [key, place] : column_keys)
     if (text.starts_with(key) && text.substr(key.size()).starts_with('=')) return key;
   return {};
-}
-
-std::string* place(ColumnNames& names, std::string_view key) {
-  if (key == "track") return &names.track;
-  if (key == "t") return &names.t;
-  if (key == "frame") return &names.frame;
-  if (key == "x") return &names.x;
-  if (key == "y") return &names.y;
-  if (key == "z") return &names.z;
-  if (key == "made_up") return &names.made_up;
-  return key == "measured" ? &names.measured : nullptr;
-}
-
-void set_column(std::string_view key, std::string name, ColumnNames& names) {
-  if (name.empty()) throw std::invalid_argument(fmt::format("\"{}=\" names no column", key));
-  if (std::string* own = place(names, key); own == nullptr)
-    names.group.push_back(std::move(name));
-  else if (own->empty())
-    *own = std::move(name);
-  else
-    throw std::invalid_argument(fmt::format("{} is named twice: \"{}\" and \"{}\"", key, excerpt(*own), excerpt(name)));
 }
 
 } // namespace
@@ -52,7 +43,8 @@ std::vector<std::pair<std::string, std::string>> column_pairs(std::string_view t
     const std::string_view key = key_at(text);
     if (key.empty()) {
       const std::string typed(text.substr(0, text.find_first_of("=,")));
-      const std::vector<std::string> known(std::begin(column_keys), std::end(column_keys));
+      std::vector<std::string> known;
+      for (const auto& [name, place] : column_keys) known.emplace_back(name);
       throw std::invalid_argument(fmt::format("\"{}\" is no KEY=NAME; the keys are {}{}", excerpt(text),
                                               fmt::join(known, ", "), did_you_mean(nearest(typed, known))));
     }
@@ -67,13 +59,17 @@ std::vector<std::pair<std::string, std::string>> column_pairs(std::string_view t
 }
 
 void add_columns(std::string_view text, ColumnNames& names) {
-  for (auto& [key, name] : column_pairs(text)) set_column(key, std::move(name), names);
-}
-
-std::optional<Splits> splits_of(std::string_view text) {
-  if (text == "refuse") return Splits::refuse;
-  if (text == "cut") return Splits::cut;
-  return text == "drop" ? std::optional(Splits::drop) : std::nullopt;
+  for (auto& [key, name] : column_pairs(text)) {
+    if (name.empty()) throw std::invalid_argument(fmt::format("\"{}=\" names no column", key));
+    const auto place = std::ranges::find(column_keys, std::string_view(key), &Key::first)->second;
+    if (place == nullptr)
+      names.group.push_back(std::move(name));
+    else if (std::string& own = names.*place; own.empty())
+      own = std::move(name);
+    else
+      throw std::invalid_argument(
+          fmt::format("{} is named twice: \"{}\" and \"{}\"", key, excerpt(own), excerpt(name)));
+  }
 }
 
 std::string as_record(std::string_view option, std::string_view value) {
@@ -122,11 +118,12 @@ std::vector<std::string> set_words(TrackOptions& options, const std::vector<std:
     } catch (const std::invalid_argument& fault) {
       faults.push_back(fmt::format("{}: {}", options.say("columns"), fault.what()));
     }
-  const std::optional<Splits> own = splits_of(splits);
-  if (!own)
+  constexpr std::string_view ways[] = {"refuse", "cut", "drop"}; // in the order of Splits
+  const auto* const way = std::ranges::find(ways, splits);
+  options.splits = way == std::end(ways) ? Splits::refuse : static_cast<Splits>(way - ways);
+  if (way == std::end(ways))
     faults.push_back(
         fmt::format("{}: there is no \"{}\"; there are refuse, cut and drop", options.say("splits"), excerpt(splits)));
-  options.splits = own.value_or(Splits::refuse);
   for (std::string& fault : faults_of(options)) faults.push_back(std::move(fault));
   return faults;
 }

@@ -11,10 +11,6 @@
 /// What a caller says of a file of measured tracks. Test: tests/unit/tracks/reading_test.cpp
 namespace matrigrate::tracks {
 
-/// What a column may be named for.
-inline constexpr std::string_view column_keys[] = {"track", "t",     "frame",   "x",       "y",
-                                                   "z",     "group", "made_up", "measured"};
-
 /// Names of columns as in the header, or their numbers from 1; empty where the reader is to find them.
 struct ColumnNames {
   std::string track, t, frame, x, y, z;
@@ -36,9 +32,6 @@ enum class Splits {
   cut, ///< it ends before that time
   drop ///< it is left out
 };
-
-/// "refuse", "cut" or "drop"; nothing for other text.
-std::optional<Splits> splits_of(std::string_view text);
 
 /// An option in a message, in the words of a front end: one of the command line, a key of a study file, an argument of
 /// Python. Without a value its name alone.

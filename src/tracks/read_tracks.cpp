@@ -309,8 +309,8 @@ void fill(const Text& text, const TrackOptions& options, Tracks& tracks, Finding
   if (findings.good()) Grid(spots, options, findings).fill(tracks);
   if (!findings.good()) return;
   if (tracks.missing() > 0)
-    findings.note(fmt::format("{} missing within tracks; gaps are not filled",
-                              counted(tracks.missing(), "position") + (tracks.missing() == 1 ? " is" : " are")));
+    findings.note(fmt::format("{} {} missing within tracks; gaps are not filled", counted(tracks.missing(), "position"),
+                              tracks.missing() == 1 ? "is" : "are"));
   look_at_motion(tracks, options, findings);
 }
 

@@ -179,14 +179,12 @@ TrackParts::Part TrackParts::part(const Track& track, double interval) {
 std::vector<double> TrackParts::msd(std::span<const std::size_t> which) const {
   std::vector<double> sums, counts;
   for (const std::size_t k : which) {
-    const Part& own = m_parts[k];
-    if (own.displacements.squares.size() > sums.size()) {
-      sums.resize(own.displacements.squares.size(), 0.0);
-      counts.resize(own.displacements.squares.size(), 0.0);
-    }
-    for (std::size_t lag = 0; lag < own.displacements.squares.size(); ++lag) {
-      sums[lag] += own.displacements.squares[lag];
-      counts[lag] += own.displacements.pairs[lag];
+    const auto& [squares, pairs] = m_parts[k].displacements;
+    sums.resize(std::max(sums.size(), squares.size()), 0.0);
+    counts.resize(sums.size(), 0.0);
+    for (std::size_t lag = 0; lag < squares.size(); ++lag) {
+      sums[lag] += squares[lag];
+      counts[lag] += pairs[lag];
     }
   }
   for (std::size_t lag = 0; lag < sums.size(); ++lag) sums[lag] = counts[lag] > 0.0 ? sums[lag] / counts[lag] : nan;
@@ -235,10 +233,6 @@ std::vector<std::size_t> TrackParts::all() const {
   std::iota(indices.begin(), indices.end(), std::size_t{0});
   return indices;
 }
-
-ReadoutValues TrackParts::readouts(double error) const { return readouts(all(), error); }
-
-std::vector<double> TrackParts::msd() const { return msd(all()); }
 
 std::string TrackParts::buried(double error) const {
   const double square = buried_of(msd(), error);

@@ -50,7 +50,7 @@ public:
   /// @param error  localisation error of a coordinate [um]: 4 error^2 is taken off the mean square displacement, and so
   ///               off its slopes and the persistence time; speeds, ratios and angles keep theirs
   ReadoutValues readouts(std::span<const std::size_t> which, double error) const;
-  ReadoutValues readouts(double error = 0.0) const; ///< of all tracks
+  ReadoutValues readouts(double error = 0.0) const { return readouts(all(), error); }
 
   /// Read-outs of sets of tracks that are drawn from them with replacement, the same sets each time
   /// (statistics::resampled); none of a single track.
@@ -62,7 +62,7 @@ public:
 
   /// Mean square displacement [um^2] at lags of 1, 2, ... intervals, over all pairs of positions; NaN without a pair.
   std::vector<double> msd(std::span<const std::size_t> which) const;
-  std::vector<double> msd() const; ///< of all tracks
+  std::vector<double> msd() const { return msd(all()); }
 
 private:
   std::vector<std::size_t> all() const;

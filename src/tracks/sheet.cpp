@@ -78,6 +78,11 @@ private:
 
 } // namespace
 
+const std::string& SheetRow::field(std::optional<std::size_t> column) const {
+  static const std::string none;
+  return column && *column < fields.size() ? fields[*column] : none;
+}
+
 std::vector<SheetRow> sheet_rows(std::string_view text, char separator, std::size_t most) {
   std::vector<SheetRow> rows;
   RowReader reader(text, separator);

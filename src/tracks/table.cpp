@@ -45,9 +45,7 @@ std::optional<Table> headerless(std::string_view text, const ColumnNames& names)
   for (const char separator : separators) {
     const std::vector<SheetRow> rows = sheet_rows(text, separator, deepest_header);
     const auto fits = [&](const SheetRow& row) {
-      const std::size_t n = row.fields.size();
-      return *table.track < n && *table.x < n && *table.y < n && is_numeric(row.fields[*table.x])
-             && is_numeric(row.fields[*table.y]);
+      return *table.track < row.fields.size() && is_numeric(row.field(table.x)) && is_numeric(row.field(table.y));
     };
     const auto count = static_cast<std::size_t>(std::ranges::count_if(rows, fits));
     if (rows.empty() || !fits(rows.front()) || count <= best) continue;
@@ -62,20 +60,17 @@ std::optional<Table> headerless(std::string_view text, const ColumnNames& names)
 /// TrackMate writes two rows of titles and one of units below its header. Takes them off the rows.
 /// @return  their fields
 std::vector<std::vector<std::string>> take_titles_off(Table& table) {
-  const auto field = [](const SheetRow& row, Table::Column c) {
-    return c && *c < row.fields.size() ? row.fields[*c] : std::string();
-  };
   std::size_t titles = 0;
   const SheetRow* last = nullptr;
   const auto is_title = [&](const SheetRow& row) {
     const auto text = [](const std::string& one) { return !is_numeric(one) && !says_nothing(one); };
-    return text(field(row, table.x)) && text(field(row, table.y));
+    return text(row.field(table.x)) && text(row.field(table.y));
   };
   if (column_title(table.name(table.x)).name != "position_x") return {};
   while (titles < 3 && titles < table.rows.size() && is_title(table.rows[titles])) last = &table.rows[titles++];
   if (last == nullptr) return {};
   const auto unit = [&](Table::Column c, std::string& own) {
-    std::string written = field(*last, c);
+    std::string written = last->field(c);
     if (!written.starts_with('(')) return;
     std::erase_if(written, [](char b) { return b == '(' || b == ')'; });
     own = lower(trimmed(written));
@@ -117,9 +112,8 @@ void take_headers_off(Table& table, const std::vector<std::vector<std::string>>&
 /// Whether a row may be one of a table: it has what may be numbers where a position has them.
 bool has_position(const SheetRow& row, const Table& table) {
   return std::ranges::all_of(std::array{*table.x, *table.y}, [&](std::size_t c) {
-    if (c >= row.fields.size()) return false;
-    const std::string& field = row.fields[c];
-    return is_numeric(field) || says_nothing(field) || has_thousands_sign(field);
+    const std::string& field = row.field(c);
+    return c < row.fields.size() && (is_numeric(field) || says_nothing(field) || has_thousands_sign(field));
   });
 }
 
@@ -136,20 +130,16 @@ void take_remarks_off(Table& table, Findings& findings) {
   if (!lines.empty())
     findings.note(fmt::format("{} within the table {} left out ({})", counted(lines.size(), "comment"),
                               lines.size() == 1 ? "is" : "are", lines_text(lines)));
+  const Table::Column time = table.frame ? table.frame : table.t;
   std::set<std::string> ids;
-  const auto field = [](const SheetRow& row, Table::Column c) {
-    return c && *c < row.fields.size() ? row.fields[*c] : std::string();
-  };
-  for (const SheetRow& row : table.rows) {
-    const std::string time = field(row, table.frame ? table.frame : table.t);
-    if (!time.empty() && time[0] >= '0' && time[0] <= '9') ids.insert(field(row, table.track));
-  }
+  for (const SheetRow& row : table.rows)
+    if (const std::string& at = row.field(time); !at.empty() && at[0] >= '0' && at[0] <= '9')
+      ids.insert(row.field(table.track));
   lines.clear();
   const auto is_footer = [&](const SheetRow& row) {
     const std::string& first = *std::ranges::find_if(row.fields, [](const std::string& f) { return !f.empty(); });
-    const std::string time = field(row, table.frame ? table.frame : table.t);
-    return !is_numeric(first) && !is_numeric(time) && !ids.contains(first) && !row.open_quote
-           && !ids.contains(field(row, table.track));
+    return !is_numeric(first) && !is_numeric(row.field(time)) && !ids.contains(first) && !row.open_quote
+           && !ids.contains(row.field(table.track));
   };
   for (; !table.rows.empty() && !ids.empty() && is_footer(table.rows.back()); table.rows.pop_back())
     lines.insert(lines.begin(), table.rows.back().line);

@@ -29,6 +29,9 @@ struct SheetRow {
   std::vector<std::string> fields;
   bool open_quote = false; ///< whether a quote of it is not closed
   std::size_t part = 0;    ///< which of several files that were joined it is from
+
+  /// That of a column from 0; empty where it has none.
+  const std::string& field(std::optional<std::size_t> column) const;
 };
 
 inline constexpr std::size_t all_rows = std::numeric_limits<std::size_t>::max();

@@ -186,9 +186,7 @@ private:
   }
 
   const std::string& field(const SheetRow& row, Table::Column column) const {
-    static const std::string none;
-    if (is_part(column)) return m_parts.at(row.part);
-    return column && *column < row.fields.size() ? row.fields[*column] : none;
+    return is_part(column) ? m_parts.at(row.part) : row.field(column);
   }
 
   /// A row has as many fields as the header; empty ones at its end do not count.
