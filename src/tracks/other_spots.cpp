@@ -144,8 +144,15 @@ std::optional<double> finite_number(const std::string& text, const char* name, s
 Spots begun(std::string layout, std::string track) {
   Spots spots;
   spots.layout = std::move(layout);
-  spots.columns = {
-      .track = std::move(track), .t = {}, .frame = "t", .x = "x", .y = "y", .made_up = {}, .measured = {}, .group = {}};
+  spots.columns = {.track = std::move(track),
+                   .t = {},
+                   .frame = "t",
+                   .x = "x",
+                   .y = "y",
+                   .z = {},
+                   .group = {},
+                   .made_up = {},
+                   .measured = {}};
   return spots;
 }
 
