@@ -213,8 +213,7 @@ void add_tracks(CLI::App& app, Action& chosen) {
       "Reads the spots of TrackMate (CSV, or its tracks as XML), and the tables of CellTracksColab, celltrackR, "
       "trackpy,\n"
       "btrack, napari, ImageJ's Manual Tracking, MTrackJ, MOSAIC, CellProfiler and Imaris; of other tables --columns\n"
-      "names the columns. What is given counts, whatever the file states; a note then "
-      "says so.\n"
+      "names the columns. What is given counts, whatever the file states; a note then says so.\n"
       "--beside draws the cells of all files and of the model on one page, each figure of which can be saved as SVG.\n"
       "-o writes the plain form, track,t_s,x_um,y_um, which report --tracks and [[targets]] take as it is.\n"
       "The standard error is a bootstrap over tracks.\n"
@@ -223,10 +222,10 @@ void add_tracks(CLI::App& app, Action& chosen) {
       "table (the file of -o) or rows [[track, t_s, x_um, y_um], ...].");
   const auto options = std::make_shared<TracksArguments>();
   verb->add_option("FILE", options->files, "File of tracks; with --beside several, of groups of cells")->required();
-  verb->add_option("--beside", options->beside,
-                   "Folder of a run or a study: writes a page (-o, default beside.html) with paths, mean square "
-                   "displacements and distributions of all files and of the model, at the interval, duration and "
-                   "--error of the files");
+  verb->add_option(
+      "--beside", options->beside,
+      "Folder of a run or a study: writes a page (-o, default beside.html) with paths, mean square displacements and "
+      "distributions of all files and of the model, at the interval, duration and --error of the files");
   add_track_options(*verb, options->reading);
   verb->add_option("--shortest", options->reading.options.shortest, "Leave tracks of fewer positions out (default 4)");
   verb->add_option("--fewest", options->reading.options.fewest, "Refuse fewer tracks (default 2)");

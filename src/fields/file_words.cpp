@@ -180,9 +180,8 @@ std::optional<FileWords> file_words(const std::string& text) {
     in.seekg(static_cast<std::streamoff>(length));
   }
   if (!can_be_read(ending_of(words.name)))
-    throw std::invalid_argument(fmt::format("the file \"{}\" cannot be read; PNG (.png), TIFF (.tif, .tiff) and CSV "
-                                            "(.csv) can",
-                                            words.name.string()));
+    throw std::invalid_argument(fmt::format(
+        "the file \"{}\" cannot be read; PNG (.png), TIFF (.tif, .tiff) and CSV (.csv) can", words.name.string()));
   read_options(words, in, text);
   return words;
 }

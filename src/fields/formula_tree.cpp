@@ -115,9 +115,9 @@ private:
   /// Why -5 < y < 5 is not what it says.
   static std::string chained(const Part& left, const Word& at, const std::string& sign, const Part& right) {
     const std::string second = written(right);
-    return fmt::format("at character {}: {} {} would compare 0 or 1 with {}, since {} is 0 or 1; compare twice: {} && "
-                       "{} {} {}",
-                       at.at, sign, second, second, written(left), written(left), written(left.parts[1]), sign, second);
+    return fmt::format(
+        "at character {}: {} {} would compare 0 or 1 with {}, since {} is 0 or 1; compare twice: {} && {} {} {}", at.at,
+        sign, second, second, written(left), written(left), written(left.parts[1]), sign, second);
   }
 
   Part operand() {

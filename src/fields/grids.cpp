@@ -40,10 +40,9 @@ std::optional<Version> version_of(const std::filesystem::path& file) {
 void require(const FileWords& words, std::initializer_list<const char*> keys) {
   for (const char* needed : keys)
     if (!words.options.contains(needed))
-      throw std::invalid_argument(
-          fmt::format("a picture needs {0}=...: write \"{1} pixel=0.5 from=50 to=400\", the width "
-                      "of a pixel in um and the values of black and white",
-                      needed, words.name.string()));
+      throw std::invalid_argument(fmt::format("a picture needs {0}=...: write \"{1} pixel=0.5 from=50 to=400\", the "
+                                              "width of a pixel in um and the values of black and white",
+                                              needed, words.name.string()));
 }
 
 /// The width of a pixel: as the text says, else as the file states it [um].
@@ -54,10 +53,9 @@ double pixel_of(const FileWords& words, const Picture& picture) {
   if (!picture.pixel) require(words, {"pixel"});
   const auto [width, height] = *picture.pixel;
   if (std::abs(width - height) > 1e-3 * std::max(width, height))
-    throw std::invalid_argument(
-        fmt::format("has pixels of {:g} x {:g} um; scale it so that they are square, or state the width of a square "
-                    "pixel with pixel=",
-                    width, height));
+    throw std::invalid_argument(fmt::format("has pixels of {:g} x {:g} um; scale it so that they are square, or state "
+                                            "the width of a square pixel with pixel=",
+                                            width, height));
   return width;
 }
 

@@ -181,10 +181,9 @@ void require_lossless(TIFF* tiff) {
     }
   }();
   if (name != nullptr)
-    throw std::invalid_argument(fmt::format(
-        "is compressed as {}, which changes the numbers, so there is no way to read it; save the original without "
-        "compression, or with deflate or LZW",
-        name));
+    throw std::invalid_argument(fmt::format("is compressed as {}, which changes the numbers, so there is no way to "
+                                            "read it; save the original without compression, or with deflate or LZW",
+                                            name));
 }
 
 SampleType type_of(std::size_t bits, std::uint16_t format) {
@@ -327,8 +326,8 @@ void read_plane(TIFF* tiff, std::string_view file, std::size_t plane, const Layo
     end += TIFFGetStrileByteCount(tiff, strip);
   }
   if (!whole || end - begin != size || begin > file.size() || (file.size() - begin) / size <= plane)
-    throw std::invalid_argument("is a stack in one directory, whose planes do not follow one another uncompressed: "
-                                "save it as separate pages");
+    throw std::invalid_argument(
+        "is a stack in one directory, whose planes do not follow one another uncompressed: save it as separate pages");
   std::memcpy(raster.data.data(), file.data() + begin + plane * size, size);
   if (TIFFIsByteSwapped(tiff) == 0) return;
   const auto bytes = static_cast<std::ptrdiff_t>(bytes_of(raster.type));

@@ -93,10 +93,9 @@ Time of_t(const Spots& spots, const Steps& steps, std::optional<double> unit, bo
                                   : steps.counts     ? fmt::format(", or {} if {} counts frames", interval, t)
                                                      : ""));
   else if (!calibrated && options.time_unit.empty())
-    findings.fault(0,
-                   fmt::format("its movie was not calibrated: x is in no unit of length, and a frame lasts 1 s ({}): "
-                               "give {}, s from frame to frame, or {} if it is 1 s",
-                               t, interval, unit_of_time));
+    findings.fault(0, fmt::format("its movie was not calibrated: x is in no unit of length, and a frame lasts 1 s "
+                                  "({}): give {}, s from frame to frame, or {} if it is 1 s",
+                                  t, interval, unit_of_time));
   return {false, unit.value_or(1.0)};
 }
 
@@ -112,13 +111,12 @@ Time of_interval(const Spots& spots, const Steps& steps, std::optional<double> u
   const bool agrees = unit ? about(rise * *unit, interval) : spots.has_frames() && some_unit;
   const bool counts = spots.has_frames() ? steps.t_is_frame : steps.counts;
   if (!unit && !agrees && !counts && rise > 0.0)
-    findings.fault(0, fmt::format("{} rises by {:.6g} from {} to {}, and its unit is not stated: give {} (or min) and "
-                                  "no {}{}",
-                                  t, rise, each, each, options.say("time-unit", "s"), options.say("interval"),
-                                  spots.has_frames()
-                                      ? fmt::format(", or {} if {} is wrong",
-                                                    options.say("columns", fmt::format("frame={}", frame)), t)
-                                      : ""));
+    findings.fault(
+        0, fmt::format("{} rises by {:.6g} from {} to {}, and its unit is not stated: give {} (or min) and no {}{}", t,
+                       rise, each, each, options.say("time-unit", "s"), options.say("interval"),
+                       spots.has_frames() ? fmt::format(", or {} if {} is wrong",
+                                                        options.say("columns", fmt::format("frame={}", frame)), t)
+                                          : ""));
   if (!spots.has_frames() && unit && agrees) return {false, *unit};
   if (!calibrated)
     findings.note(

@@ -205,10 +205,10 @@ std::string without_header(const SheetRow& row, const TrackOptions& options) {
   const bool whole = std::ranges::all_of(
       row.fields, [](const std::string& f) { return f.find_first_not_of("0123456789") == std::string::npos; });
   const std::string first = n > 4 ? "track=2,t=3,x=4,y=5" : "track=1,t=2,x=3,y=4";
-  return n == 4 && whole ? fmt::format("has four columns of whole numbers and no header: if they are those of the Cell "
-                                       "Tracking Challenge (man_track.txt: label, begin, end, parent), it has no "
-                                       "positions; else tell what they hold: {}",
-                                       options.say("columns", first))
+  return n == 4 && whole ? fmt::format(
+             "has four columns of whole numbers and no header: if they are those of the Cell Tracking Challenge "
+             "(man_track.txt: label, begin, end, parent), it has no positions; else tell what they hold: {}",
+             options.say("columns", first))
                          : fmt::format("has no header; tell what its {} columns hold, counted from 1: {}", n,
                                        options.say("columns", first));
 }

@@ -80,10 +80,10 @@ void decide(const std::vector<Evidence>& columns, char separator, Evidence& all,
       if (column.ends_in_zero.at(s) || column.many.at(s) >= 3)
         all.thousands.at(s) = column.either.at(s);
       else
-        findings.fault(column.either.at(s).line,
-                       fmt::format("{} may be a thousand or have decimals: write numbers without signs between their "
-                                   "thousands",
-                                   column.either.at(s).text));
+        findings.fault(
+            column.either.at(s).line,
+            fmt::format("{} may be a thousand or have decimals: write numbers without signs between their thousands",
+                        column.either.at(s).text));
     }
   }
   for (const Evidence& column : columns)
@@ -108,17 +108,17 @@ NumberSigns number_signs(const Table& table, Findings& findings) {
   decide(columns, table.separator, all, findings);
   const auto& [points, commas] = all.decimal;
   if (points.there() && commas.there())
-    findings.fault(commas.line, fmt::format("has numbers with a comma, {}, and others with a point, {}: write points "
-                                            "alone",
-                                            commas.text, points.text));
+    findings.fault(commas.line,
+                   fmt::format("has numbers with a comma, {}, and others with a point, {}: write points alone",
+                               commas.text, points.text));
   NumberSigns signs{.decimal = commas.there() ? ',' : '.', .thousands = '\0'};
   for (const std::size_t s : {std::size_t{0}, std::size_t{1}}) {
     const Example& example = all.thousands.at(s);
     if (!example.there()) continue;
     if (all.decimal.at(s).there())
-      findings.fault(example.line, fmt::format("has {} between thousands, {}, which are decimal signs in {}: write "
-                                               "points alone",
-                                               s == 0 ? "points" : "commas", example.text, all.decimal.at(s).text));
+      findings.fault(example.line,
+                     fmt::format("has {} between thousands, {}, which are decimal signs in {}: write points alone",
+                                 s == 0 ? "points" : "commas", example.text, all.decimal.at(s).text));
     signs = {.decimal = both_signs[1 - s], .thousands = both_signs[s]};
   }
   if (!findings.good()) return signs;

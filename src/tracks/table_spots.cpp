@@ -200,11 +200,10 @@ private:
       m_findings.fault(row.line, "has a quote that is not closed");
     } else if (fields < least || fields > wanted) {
       const bool commas = m_table.separator == ',' && fields > wanted;
-      m_findings.fault(row.line,
-                       fmt::format("has {} fields, the header {}{}", fields, wanted,
-                                   commas ? ": if commas are decimal signs, save it with semicolons or tabs between "
-                                            "columns, or with points in numbers"
-                                          : ""));
+      m_findings.fault(row.line, fmt::format("has {} fields, the header {}{}", fields, wanted,
+                                             commas ? ": if commas are decimal signs, save it with semicolons or tabs "
+                                                      "between columns, or with points in numbers"
+                                                    : ""));
     } else {
       return has_columns(row);
     }

@@ -65,11 +65,11 @@ void examine(const Parameters& p, const std::string& name, const Vec2& direction
   result.checks.push_back({fmt::format("final displacement over the closed form, {}", name),
                            extrapolated(readings[0].u, readings[1].u), 1.0, second + std::exp(-9.0),
                            "from two heights to an infinite one: second order in dp/H is left"});
-  result.remarks.push_back(fmt::format(
-      "{}: in a layer of 25 spacings the time constant is {:+.1f} % and the displacement {:+.1f} % off; in one "
-      "of 50, {:+.1f} % and {:+.1f} %. A rigid wall acts about half a spacing behind its first row.",
-      name, 100 * (readings[0].tau - 1), 100 * (readings[0].u - 1), 100 * (readings[1].tau - 1),
-      100 * (readings[1].u - 1)));
+  result.remarks.push_back(
+      fmt::format("{}: in a layer of 25 spacings the time constant is {:+.1f} % and the displacement {:+.1f} % off; in "
+                  "one of 50, {:+.1f} % and {:+.1f} %. A rigid wall acts about half a spacing behind its first row.",
+                  name, 100 * (readings[0].tau - 1), 100 * (readings[0].u - 1), 100 * (readings[1].tau - 1),
+                  100 * (readings[1].u - 1)));
 }
 
 } // namespace
@@ -86,12 +86,11 @@ Result creep(const Parameters& p) {
   report::Series closed{.label = "1 - exp(-t/tau)"};
   for (int k = 0; k <= 90; ++k) closed.add(0.1 * k, 1.0 - std::exp(-0.1 * k));
   plot.series.push_back(std::move(closed));
-  result.remarks.push_back(fmt::format("The closed form uses the viscosity of the pair drag on the ideal lattice, "
-                                       "{:.4f} of the nominal mu, because Eq. (2) adds 0.01 "
-                                       "h^2 to |x_ij|^2. The drag is mu times the Laplacian of v, so confined "
-                                       "compression retards with mu/(K + 4G/3), not with "
-                                       "(4/3 mu)/(K + 4G/3) as in a Newtonian fluid.",
-                                       lattice_viscosity(p.ecm) / p.ecm.viscosity));
+  result.remarks.push_back(
+      fmt::format("The closed form uses the viscosity of the pair drag on the ideal lattice, {:.4f} of the nominal mu, "
+                  "because Eq. (2) adds 0.01 h^2 to |x_ij|^2. The drag is mu times the Laplacian of v, so confined "
+                  "compression retards with mu/(K + 4G/3), not with (4/3 mu)/(K + 4G/3) as in a Newtonian fluid.",
+                  lattice_viscosity(p.ecm) / p.ecm.viscosity));
   result.add("creep", "Displacement of the middle of a layer between rigid walls.", plot);
   return result;
 }

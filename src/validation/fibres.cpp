@@ -139,24 +139,23 @@ Result fibres(const Parameters& p) {
     const double from_data = relative_error(specimen, data, data_up_to);
     const double bare_error = law_error(without_rest(q), Sides::held);
     if (concentration > 1.0)
-      result.claims.push_back({fmt::format("{}: rms relative error of the stress to strain {:.2f} against the "
-                                           "semi-affine law, sides held in both (to the measured curve: {:.2f} to "
-                                           "strain {:.2f}, not judged)",
-                                           name, judged_up_to, from_data, data_up_to),
-                               error, agreement, 0.0, "what agreement is taken to mean here", Sense::at_most});
-    result.claim_notes.push_back(
-        fmt::format("{}: rms relative error {:.2f} to strain {:.2f} against the measured curve, "
-                    "whose source labels it shear.",
-                    name, from_data, data_up_to));
+      result.claims.push_back(
+          {fmt::format("{}: rms relative error of the stress to strain {:.2f} against the semi-affine law, sides held "
+                       "in both (to the measured curve: {:.2f} to strain {:.2f}, not judged)",
+                       name, judged_up_to, from_data, data_up_to),
+           error, agreement, 0.0, "what agreement is taken to mean here", Sense::at_most});
+    result.claim_notes.push_back(fmt::format(
+        "{}: rms relative error {:.2f} to strain {:.2f} against the measured curve, whose source labels it shear.",
+        name, from_data, data_up_to));
     if (concentration < 1.0)
-      result.claim_notes.push_back(fmt::format(
-          "{} is not judged: rms relative error {:.2f} against the law, and {:.2f} without the elastic rest of "
-          "10 Pa, which the law does not have and which is a good part of so soft a gel's stress.",
-          name, error, bare_error));
-    result.remarks.push_back(fmt::format(
-        "{}, rms relative error of the infinite lattice to strain {:.2f}: {:.2f}, with free sides of lattice and law "
-        "{:.2f}, without the elastic rest {:.2f}.",
-        name, judged_up_to, law_error(q, Sides::held), law_error(q, Sides::free), bare_error));
+      result.claim_notes.push_back(
+          fmt::format("{} is not judged: rms relative error {:.2f} against the law, and {:.2f} without the elastic "
+                      "rest of 10 Pa, which the law does not have and which is a good part of so soft a gel's stress.",
+                      name, error, bare_error));
+    result.remarks.push_back(fmt::format("{}, rms relative error of the infinite lattice to strain {:.2f}: {:.2f}, "
+                                         "with free sides of lattice and law {:.2f}, without the elastic rest {:.2f}.",
+                                         name, judged_up_to, law_error(q, Sides::held), law_error(q, Sides::free),
+                                         bare_error));
   }
   result.add("fibres", "Uniaxial stretch with held sides, quasi-static, against measured gels and the semi-affine law.",
              plot);

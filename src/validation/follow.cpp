@@ -131,14 +131,12 @@ Result follow(const Parameters& p) {
     if (one.f_mat <= weak)
       result.claims.push_back({force, one.force, 0.1, 0.0,
                                "a weak pull stays under p_th, so that the gel carries the body", Sense::at_least});
-    result.remarks.push_back(
-        fmt::format("{}: f_mat {:.2f}; moved {:.1f} µm, of it {:.1f} in the last ten minutes; {:.0f} min after "
-                    "maturation the adhesion "
-                    "bears {:.3f} of f_mat F_am and the protrusion is {:.1f} µm long. In the end {} solid particles "
-                    "are within reach "
-                    "of the body, {} of them under more than p_th; the largest pressure is {:.1f} Pa.",
-                    label, one.f_mat, one.moved, one.last, judged / 60.0, one.force, one.length, one.front.solid,
-                    one.front.degrading, 1e3 * one.front.pressure));
+    result.remarks.push_back(fmt::format(
+        "{}: f_mat {:.2f}; moved {:.1f} µm, of it {:.1f} in the last ten minutes; {:.0f} min after maturation the "
+        "adhesion bears {:.3f} of f_mat F_am and the protrusion is {:.1f} µm long. In the end {} solid particles are "
+        "within reach of the body, {} of them under more than p_th; the largest pressure is {:.1f} Pa.",
+        label, one.f_mat, one.moved, one.last, judged / 60.0, one.force, one.length, one.front.solid,
+        one.front.degrading, 1e3 * one.front.pressure));
     one.path.label = one.pull.label = label;
     path.series.push_back(std::move(one.path));
     pull.series.push_back(std::move(one.pull));

@@ -89,8 +89,7 @@ Result load(const Parameters& given) {
                                "the penalty has no physics, so a resolved load must not feel it"});
     }
     result.remarks.push_back(fmt::format("Kernel of {:.1f} µm: {:.3f} times the compliance of the continuum at weight "
-                                         "0.5; {:.3f} times as much at 0.5 as at "
-                                         "10.",
+                                         "0.5; {:.3f} times as much at 0.5 as at 10.",
                                          spread * p.ecm.smoothing_length, series.y.front(), 1.0 + change));
     of_weight.series.push_back(std::move(series));
   }

@@ -95,8 +95,7 @@ Result patch(const Parameters& p) {
   result.checks.push_back({"force under uniform stress, two supports from an edge, over sigma dp t_z", inside, 0.0,
                            1e-12, "the sums cancel on a lattice: round-off alone"});
   result.remarks.push_back(fmt::format("At a free edge the same force reaches {:.2f} sigma dp t_z: there it is the "
-                                       "traction that the edge lacks, spread over "
-                                       "the kernel's support.",
+                                       "traction that the edge lacks, spread over the kernel's support.",
                                        anywhere));
   result.add("patch", "The inside of a disc follows its linearly displaced rim.",
              {.title = "Patch: a driven disc approaches the linear field",

@@ -110,9 +110,8 @@ Result point_force(const Parameters& p) {
   const double continuum = continuum_compliance(with_disc(p, radius).ecm, p.ecm.smoothing_length);
   const double measured = compliance[2] / p.ecm.youngs_modulus / pull;
   result.remarks.push_back(fmt::format(
-      "Compliance of the loaded point at {:.0f} Pa: {:.3f} µm/nN, {:.3f} times the continuum, {:.3f} µm/nN, "
-      "loaded "
-      "and read with the same kernel: an adhesion feels a gel that is softer by as much, at every stiffness.",
+      "Compliance of the loaded point at {:.0f} Pa: {:.3f} µm/nN, {:.3f} times the continuum, {:.3f} µm/nN, loaded and "
+      "read with the same kernel: an adhesion feels a gel that is softer by as much, at every stiffness.",
       1e3 * p.ecm.youngs_modulus, measured, measured / continuum, continuum));
   result.add("point-force", "Displacement along the line of the force.", plot);
   return result;

@@ -61,10 +61,10 @@ Result poiseuille(const Parameters& p) {
   result.checks.push_back({"median viscosity at wall strains 2 to 3 (Pa s)", sheared, 500.0 * (lowest + highest),
                            500.0 * (highest - lowest) + 1e3 * mu * dp * dp / (inner * inner),
                            "range of the lattice sum over all shears of the rows; second order in the spacing"});
-  result.remarks.push_back(
-      fmt::format("On the fresh lattice the pair drag of Eq. (2) is {:.1f} % below the nominal viscosity: "
-                  "0.01 h^2 in its denominator, and a kernel sampled at {} neighbours.",
-                  100.0 * (1.0 - mu / p.ecm.viscosity), lattice_patch(p.ecm, 2.0 * p.ecm.smoothing_length).size() - 1));
+  result.remarks.push_back(fmt::format("On the fresh lattice the pair drag of Eq. (2) is {:.1f} % below the nominal "
+                                       "viscosity: 0.01 h^2 in its denominator, and a kernel sampled at {} neighbours.",
+                                       100.0 * (1.0 - mu / p.ecm.viscosity),
+                                       lattice_patch(p.ecm, 2.0 * p.ecm.smoothing_length).size() - 1));
   report::Series exact{.label = "parabola", .mark = report::Mark::line};
   for (int k = 0; k <= 60; ++k) {
     const double y = H * (k / 60.0 - 0.5);

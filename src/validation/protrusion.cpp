@@ -58,10 +58,9 @@ Result protrusion(const Parameters& p) {
   result.checks.push_back({"length after 400 s, mean of three directions on the lattice (µm)", mean, 25.0, 0.0,
                            "the lower end of the paper's 25 to 30 µm", Sense::at_least});
   if (mean > longest_in_paper)
-    result.remarks.push_back(
-        fmt::format("A first protrusion of {:.1f} µm is longer than the paper's 25 to 30 µm, which "
-                    "are means over all protrusions of six-hour runs.",
-                    mean));
+    result.remarks.push_back(fmt::format("A first protrusion of {:.1f} µm is longer than the paper's 25 to 30 µm, "
+                                         "which are means over all protrusions of six-hour runs.",
+                                         mean));
   result.checks.push_back({"length after 200 s over a third of that after 600 s",
                            length_at(base, times[0]) / (length_at(base, times[2]) / 3.0), 1.0, 0.0,
                            "grows less than proportionally with T_prot", Sense::at_least});

@@ -130,12 +130,11 @@ Result rigid(const Parameters& p) {
   result.checks.push_back({"net elastic force, over the sum of magnitudes", elastic.force, 0.0, 1e-13, round_off});
   result.checks.push_back({"net elastic torque, over the sum of moments", elastic.torque, 0.0, 1e-12, round_off});
   result.checks.push_back({"net drag force, over the sum of magnitudes", drag.force, 0.0, 1e-13, round_off});
-  result.remarks.push_back(fmt::format("The pair drag of Eq. (2) acts along velocity differences, not along the line "
-                                       "between particles: its net torque is {:.2g} "
-                                       "of the sum of moments here. This is the paper's form (mu times the Laplacian "
-                                       "of v), which resists the rotation of a finite "
-                                       "body; inside a gel that is clamped at its rim it changes nothing.",
-                                       drag.torque));
+  result.remarks.push_back(fmt::format(
+      "The pair drag of Eq. (2) acts along velocity differences, not along the line between particles: its net torque "
+      "is {:.2g} of the sum of moments here. This is the paper's form (mu times the Laplacian of v), which resists the "
+      "rotation of a finite body; inside a gel that is clamped at its rim it changes nothing.",
+      drag.torque));
 
   result.table.columns = {"steps_per_quarter_turn", "relative_error"};
   for (const int n : {50, 100, 200, 400}) result.table.add({static_cast<double>(n), turned_stress_error(p, n)});

@@ -94,11 +94,10 @@ Result stretch(const Parameters& p) {
   result.checks.push_back(
       {"stress at the grip over stress in the gauge", first.grip_stress / first.stress, 1.0, edge, why});
   const auto& last = result.table.rows.back();
-  result.remarks.push_back(
-      fmt::format("At strain {:.3f} the nominal stress is {:.1f} % off the line of linear elasticity: the specimen has "
-                  "become thinner, and the rate "
-                  "form (Jaumann rate, p = K (rho - 1)) is linear only in the limit of small strain.",
-                  last[0], 100.0 * (last[2] / last[4] - 1.0)));
+  result.remarks.push_back(fmt::format(
+      "At strain {:.3f} the nominal stress is {:.1f} % off the line of linear elasticity: the specimen has become "
+      "thinner, and the rate form (Jaumann rate, p = K (rho - 1)) is linear only in the limit of small strain.",
+      last[0], 100.0 * (last[2] / last[4] - 1.0)));
   result.add("stretch", "Quasi-static stress against strain.",
              {.title = "Stretch: uniaxial test with free sides",
               .x_label = "strain",

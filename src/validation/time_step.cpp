@@ -97,11 +97,11 @@ Result time_step(const Parameters& p) {
       {fmt::format("l_prot, adaptive steps of up to {} s, mean over {} directions (µm)", usual, directions),
        mean_length(stepped(p, Integrator::adaptive, usual)), mean_length(stepped(p, Integrator::reference, paper_step)),
        quarter, fmt::format("that with reference steps of {} s; a quarter of a spacing", paper_step)});
-  result.remarks.push_back(fmt::format(
-      "Errors are distances of the tip from that with steps of {} s along the direction of growth, the largest at "
-      "{:.0f}, {:.0f}, {:.0f} and {:.0f} s. Across it, and later along it, the deflection of growth makes much of "
-      "small differences.",
-      steps.front(), times[0], times[1], times[2], times[3]));
+  result.remarks.push_back(
+      fmt::format("Errors are distances of the tip from that with steps of {} s along the direction of growth, the "
+                  "largest at {:.0f}, {:.0f}, {:.0f} and {:.0f} s. Across it, and later along it, the deflection of "
+                  "growth makes much of small differences.",
+                  steps.front(), times[0], times[1], times[2], times[3]));
   result.add("time-step", "Distance of the tip from where the shortest steps bring it.",
              {.title = "A protrusion with longer steps",
               .x_label = "time step (s)",
