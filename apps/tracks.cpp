@@ -210,8 +210,7 @@ int read_and_tell(TracksArguments asked) {
 void add_tracks(CLI::App& app, Action& chosen) {
   CLI::App* verb = app.add_subcommand("tracks", "Read measured tracks of cells, and print their read-outs");
   verb->footer(
-      "Reads the spots of TrackMate (CSV, or its tracks as XML), and the tables of CellTracksColab, celltrackR, "
-      "trackpy,\n"
+      "Reads the spots of TrackMate (CSV, or its tracks as XML), and the tables of CellTracksColab, celltrackR, trackpy,\n"
       "btrack, napari, ImageJ's Manual Tracking, MTrackJ, MOSAIC, CellProfiler and Imaris; of other tables --columns\n"
       "names the columns. What is given counts, whatever the file states; a note then says so.\n"
       "--beside draws the cells of all files and of the model on one page, each figure of which can be saved as SVG.\n"
@@ -224,16 +223,14 @@ void add_tracks(CLI::App& app, Action& chosen) {
   verb->add_option("FILE", options->files, "File of tracks; with --beside several, of groups of cells")->required();
   verb->add_option(
       "--beside", options->beside,
-      "Folder of a run or a study: writes a page (-o, default beside.html) with paths, mean square displacements and "
-      "distributions of all files and of the model, at the interval, duration and --error of the files");
+      "Folder of a run or a study: writes a page (-o, default beside.html) with paths, mean square displacements and distributions of all files and of the model, at the interval, duration and --error of the files");
   add_track_options(*verb, options->reading);
   verb->add_option("--shortest", options->reading.options.shortest, "Leave tracks of fewer positions out (default 4)");
   verb->add_option("--fewest", options->reading.options.fewest, "Refuse fewer tracks (default 2)");
   verb->add_flag("--drift", options->drift, "Take the mean motion of all tracks away, where five go on together");
   verb->add_option("--every", options->every, "Take positions at a longer interval [s], a whole multiple");
   verb->add_option("--error", options->error,
-                   "Localisation error of a coordinate [um], taken off the mean square displacement; with --beside "
-                   "added to simulated coordinates");
+                   "Localisation error of a coordinate [um], taken off the mean square displacement; with --beside added to simulated coordinates");
   verb->add_option("--resamples", options->resamples, "Draws of the bootstrap (default 200)")
       ->check(CLI::Range(0, 100000));
   verb->add_option("-o,--output", options->output, "Write the tracks into this CSV file; with --beside the page")

@@ -40,8 +40,7 @@ std::optional<Version> version_of(const std::filesystem::path& file) {
 void require(const FileWords& words, std::initializer_list<const char*> keys) {
   for (const char* needed : keys)
     if (!words.options.contains(needed))
-      throw std::invalid_argument(fmt::format("a picture needs {0}=...: write \"{1} pixel=0.5 from=50 to=400\", the "
-                                              "width of a pixel in um and the values of black and white",
+      throw std::invalid_argument(fmt::format("a picture needs {0}=...: write \"{1} pixel=0.5 from=50 to=400\", the width of a pixel in um and the values of black and white",
                                               needed, words.name.string()));
 }
 
@@ -53,8 +52,7 @@ double pixel_of(const FileWords& words, const Picture& picture) {
   if (!picture.pixel) require(words, {"pixel"});
   const auto [width, height] = *picture.pixel;
   if (std::abs(width - height) > 1e-3 * std::max(width, height))
-    throw std::invalid_argument(fmt::format("has pixels of {:g} x {:g} um; scale it so that they are square, or state "
-                                            "the width of a square pixel with pixel=",
+    throw std::invalid_argument(fmt::format("has pixels of {:g} x {:g} um; scale it so that they are square, or state the width of a square pixel with pixel=",
                                             width, height));
   return width;
 }
@@ -82,8 +80,7 @@ Grid direction_grid(const FileWords& words, Picture picture, double pixel, const
       throw std::invalid_argument(fmt::format("direction= gives degrees, and takes no {}=", key));
   const double window = *words.number("direction");
   if (window < 0.5 * pixel || window > 100.0 * pixel)
-    throw std::invalid_argument(fmt::format("direction={0:g} um: the radius around a pixel over which its direction is "
-                                            "taken must be from {1:g} to {2:g} um, half a pixel to a hundred",
+    throw std::invalid_argument(fmt::format("direction={0:g} um: the radius around a pixel over which its direction is taken must be from {1:g} to {2:g} um, half a pixel to a hundred",
                                             window, 0.5 * pixel, 100.0 * pixel));
   picture.samples = fibre_directions(picture, window / pixel);
   Grid grid{samples_from_picture(picture, pixel, centre, 0.0, 1.0)};
@@ -105,8 +102,7 @@ Grid picture_grid(const FileWords& words, std::string_view bytes) {
     if (!from || !to || !black || !white) {
       const auto [least, largest] = std::ranges::minmax(picture.samples);
       throw std::invalid_argument(fmt::format(
-          "its samples are of floating point, from {:g} to {:g}: leave out from=, to=, black= and white= to take them "
-          "as they are, or give all four: black= and white= are the samples that get the values from= and to=",
+          "its samples are of floating point, from {:g} to {:g}: leave out from=, to=, black= and white= to take them as they are, or give all four: black= and white= are the samples that get the values from= and to=",
           least, largest));
     }
   }

@@ -64,8 +64,8 @@ double length(const Spots& spots, const TrackOptions& options, Findings& finding
                                    : fmt::format("{} and {} are in {}: give {}, um per {}", columns.x, columns.y, unit,
                                                  pixel, unit));
   if (options.pixel && stated && std::abs(*stated - *options.pixel) > 1e-9 * *stated)
-    findings.note(fmt::format("the file says that {} is in {}; it is taken as {:g} um per unit, as given", columns.x,
-                              unit, *options.pixel));
+    findings.note("the file says that {} is in {}; it is taken as {:g} um per unit, as given", columns.x, unit,
+                  *options.pixel);
   return options.pixel.value_or(stated.value_or(1.0));
 }
 
@@ -74,11 +74,11 @@ Time of_frames(const Spots& spots, const Steps& steps, const TrackOptions& optio
   const bool own_column = spots.has_frames();
   const std::string& name = own_column ? spots.columns.frame : spots.columns.t;
   if (!options.interval)
-    findings.fault(0, fmt::format("its times are numbers of frames ({}): give {}, s from frame to frame", name,
-                                  options.say("interval", "S")));
+    findings.fault(0, "its times are numbers of frames ({}): give {}, s from frame to frame", name,
+                   options.say("interval", "S"));
   else if (const double step = own_column ? steps.frame : steps.t; step > 1.0)
-    findings.note(fmt::format("{} rises by {:g} from position to position: positions are every {:g} s", name, step,
-                              step * *options.interval));
+    findings.note("{} rises by {:g} from position to position: positions are every {:g} s", name, step,
+                  step * *options.interval);
   return {own_column, options.interval.value_or(1.0)};
 }
 
@@ -88,14 +88,15 @@ Time of_t(const Spots& spots, const Steps& steps, std::optional<double> unit, bo
   const std::string &t = spots.columns.t, &frame = spots.columns.frame;
   const std::string interval = options.say("interval", "S"), unit_of_time = options.say("time-unit", "s");
   if (!unit)
-    findings.fault(0, fmt::format("does not state the unit of {}: give {} (or min){}", t, unit_of_time,
-                                  spots.has_frames() ? fmt::format(", or {}, s from {} to {}", interval, frame, frame)
-                                  : steps.counts     ? fmt::format(", or {} if {} counts frames", interval, t)
-                                                     : ""));
+    findings.fault(0, "does not state the unit of {}: give {} (or min){}", t, unit_of_time,
+                   spots.has_frames() ? fmt::format(", or {}, s from {} to {}", interval, frame, frame)
+                   : steps.counts     ? fmt::format(", or {} if {} counts frames", interval, t)
+                                      : "");
   else if (!calibrated && options.time_unit.empty())
-    findings.fault(0, fmt::format("its movie was not calibrated: x is in no unit of length, and a frame lasts 1 s "
-                                  "({}): give {}, s from frame to frame, or {} if it is 1 s",
-                                  t, interval, unit_of_time));
+    findings.fault(0,
+                   "its movie was not calibrated: x is in no unit of length, and a frame lasts 1 s ({}): give {}, s "
+                   "from frame to frame, or {} if it is 1 s",
+                   t, interval, unit_of_time);
   return {false, unit.value_or(1.0)};
 }
 
@@ -111,23 +112,21 @@ Time of_interval(const Spots& spots, const Steps& steps, std::optional<double> u
   const bool agrees = unit ? about(rise * *unit, interval) : spots.has_frames() && some_unit;
   const bool counts = spots.has_frames() ? steps.t_is_frame : steps.counts;
   if (!unit && !agrees && !counts && rise > 0.0)
-    findings.fault(
-        0, fmt::format("{} rises by {:.6g} from {} to {}, and its unit is not stated: give {} (or min) and no {}{}", t,
-                       rise, each, each, options.say("time-unit", "s"), options.say("interval"),
-                       spots.has_frames() ? fmt::format(", or {} if {} is wrong",
-                                                        options.say("columns", fmt::format("frame={}", frame)), t)
-                                          : ""));
+    findings.fault(0, "{} rises by {:.6g} from {} to {}, and its unit is not stated: give {} (or min) and no {}{}", t,
+                   rise, each, each, options.say("time-unit", "s"), options.say("interval"),
+                   spots.has_frames() ? fmt::format(", or {} if {} is wrong",
+                                                    options.say("columns", fmt::format("frame={}", frame)), t)
+                                      : "");
   if (!spots.has_frames() && unit && agrees) return {false, *unit};
   if (!calibrated)
-    findings.note(
-        fmt::format("the movie was not calibrated ({} counts frames): times are {} x {:g} s", t, frame, interval));
+    findings.note("the movie was not calibrated ({} counts frames): times are {} x {:g} s", t, frame, interval);
   else if (unit && !agrees && rise > 0.0)
-    findings.note(fmt::format("{} says {:.6g} s from {} to {}; it is taken as {:g} s, as given", t, rise * *unit, each,
-                              each, interval));
+    findings.note("{} says {:.6g} s from {} to {}; it is taken as {:g} s, as given", t, rise * *unit, each, each,
+                  interval);
   else if (spots.has_frames())
-    findings.note(fmt::format("times are {} x {:g} s; {} is not used", frame, interval, t));
+    findings.note("times are {} x {:g} s; {} is not used", frame, interval, t);
   else
-    findings.note(fmt::format("{} counts frames: times are {} x {:g} s", t, t, interval));
+    findings.note("{} counts frames: times are {} x {:g} s", t, t, interval);
   if (spots.has_frames()) return of_frames(spots, steps, options, findings);
   return {false, unit && rise > 0.0 ? interval / rise : interval};
 }
@@ -138,11 +137,11 @@ Time time(const Spots& spots, const TrackOptions& options, Findings& findings) {
   const bool frames = !spots.has_t() || counts_frames(spots.time_unit), asked = !options.time_unit.empty();
   const std::optional<double> unit = asked ? time_unit(options.time_unit) : stated;
   if (asked && !spots.has_t())
-    findings.fault(0, fmt::format("{}: there is no column of time; give {}, s from frame to frame",
-                                  options.say("time-unit"), options.say("interval", "S")));
+    findings.fault(0, "{}: there is no column of time; give {}, s from frame to frame", options.say("time-unit"),
+                   options.say("interval", "S"));
   else if (asked && (frames || (stated && *stated != *unit)))
-    findings.note(fmt::format("the file says that {} is in {}; it is taken as in {}, as given", spots.columns.t,
-                              excerpt(spots.time_unit, 20), options.time_unit));
+    findings.note("the file says that {} is in {}; it is taken as in {}, as given", spots.columns.t,
+                  excerpt(spots.time_unit, 20), options.time_unit);
   if (!spots.has_t() || (frames && !asked)) return of_frames(spots, steps, options, findings);
   // One second from frame to frame, and no unit of length, is what TrackMate writes if it knows neither.
   const bool calibrated =
@@ -158,10 +157,10 @@ void check_bounds(const Spots& spots, Findings& findings) {
   for (const Spot& s : spots.spots) {
     for (const double value : {s.x, s.y})
       if (!(std::abs(value) <= largest_length))
-        findings.fault(s.line, fmt::format("a position of {:g} um is out of range; allowed is {:g} um on either side",
-                                           value, largest_length));
+        findings.fault(s.line, "a position of {:g} um is out of range; allowed is {:g} um on either side", value,
+                       largest_length);
     if (!(std::abs(s.t) <= largest_time))
-      findings.fault(s.line, fmt::format("a time of {:g} s is out of range; allowed is {:g} s", s.t, largest_time));
+      findings.fault(s.line, "a time of {:g} s is out of range; allowed is {:g} s", s.t, largest_time);
   }
 }
 

@@ -23,13 +23,15 @@ std::string kind_of(const std::string& message) {
 
 } // namespace
 
-void Findings::fault(std::size_t line, std::string message, std::string kind) {
+void Findings::fault(std::size_t line, const std::string& message) { fault_of_kind(kind_of(message), line, message); }
+
+void Findings::fault_of_kind(const std::string& kind, std::size_t line, const std::string& message) {
   ++m_count;
-  const auto [own, added] = m_kinds.emplace(kind.empty() ? kind_of(message) : std::move(kind), m_faults.size());
+  const auto [own, added] = m_kinds.emplace(kind, m_faults.size());
   if (!added) {
     if (own->second < m_more.size()) ++m_more[own->second];
   } else if (m_faults.size() < most_kinds) {
-    m_faults.push_back({m_file, static_cast<int>(line), line == 0 ? 0 : 1, {}, std::move(message)});
+    m_faults.push_back({m_file, static_cast<int>(line), line == 0 ? 0 : 1, {}, message});
     m_more.push_back(0);
   }
 }

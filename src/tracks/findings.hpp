@@ -2,6 +2,8 @@
 
 #include "base/failure.hpp"
 
+#include <fmt/format.h>
+
 #include <cstddef>
 #include <map>
 #include <string>
@@ -17,10 +19,20 @@ class Findings {
 public:
   explicit Findings(std::string file) : m_file(std::move(file)) {}
 
+  /// Of the kind that the message is without its numbers and what it quotes.
   /// @param line  0 for the file as a whole
-  /// @param kind  empty: what the message is without its numbers and what it quotes
-  void fault(std::size_t line, std::string message, std::string kind = {});
+  void fault(std::size_t line, const std::string& message);
+  template <class One, class... More>
+  void fault(std::size_t line, fmt::format_string<One, More...> text, One&& one, More&&... more) {
+    fault(line, fmt::format(text, std::forward<One>(one), std::forward<More>(more)...));
+  }
+  void fault_of_kind(const std::string& kind, std::size_t line, const std::string& message);
+
   void note(std::string message) { m_notes.push_back(std::move(message)); }
+  template <class One, class... More>
+  void note(fmt::format_string<One, More...> text, One&& one, More&&... more) {
+    note(fmt::format(text, std::forward<One>(one), std::forward<More>(more)...));
+  }
 
   bool good() const { return m_count == 0; }
   std::vector<std::string>& notes() { return m_notes; }

@@ -251,10 +251,9 @@ void tell_no_header(std::string_view text, std::optional<char> separator, const 
   if (std::ranges::all_of(row.fields, [](const std::string& f) { return is_numeric(f) || says_nothing(f); }))
     return findings.fault(row.line, without_header(row, options));
   for (const std::string& name : unknown)
-    findings.fault(row.line,
-                   fmt::format("{}: there is no column \"{}\"{}; the columns are {}", options.say("columns"),
-                               excerpt(name), did_you_mean(nearest(name, row.fields)), names_of(row.fields)),
-                   name);
+    findings.fault_of_kind(name, row.line,
+                           fmt::format("{}: there is no column \"{}\"{}; the columns are {}", options.say("columns"),
+                                       excerpt(name), did_you_mean(nearest(name, row.fields)), names_of(row.fields)));
   if (!unknown.empty()) return;
   const Layout* layout = &layouts().back();
   for (const Layout& one : layouts())
@@ -269,10 +268,9 @@ void tell_no_header(std::string_view text, std::optional<char> separator, const 
   if (own.y.empty() && !known(layout->y)) lacking.emplace_back("y");
   for (const std::string_view name : layout->required)
     if (!known({name})) lacking.push_back(name);
-  findings.fault(row.line,
-                 fmt::format("has no column for {} that is known{}; its columns are {}. Name them: {}",
-                             fmt::join(lacking, ", "), options.layout.empty() ? "" : " of " + options.layout,
-                             names_of(row.fields), options.say("columns", "track=NAME,t=NAME,x=NAME,y=NAME")));
+  findings.fault(row.line, "has no column for {} that is known{}; its columns are {}. Name them: {}",
+                 fmt::join(lacking, ", "), options.layout.empty() ? "" : " of " + options.layout, names_of(row.fields),
+                 options.say("columns", "track=NAME,t=NAME,x=NAME,y=NAME"));
 }
 
 } // namespace matrigrate::tracks

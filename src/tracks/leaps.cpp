@@ -65,13 +65,13 @@ void tell_together(const std::vector<Step>& steps, Together kind, double time, d
       fmt::format("after {:g} s all {} tracks that go on leap, by {:.3g} to {:.3g} um (the usual step is {:.3g} um)",
                   time, steps.size(), least, most, usual);
   if (kind == Together::shifts)
-    return findings.note(
-        fmt::format("{}, and all alike: did the stage move? {} takes it away", what, options.say("drift", "true")));
+    return findings.note("{}, and all alike: did the stage move? {} takes it away", what, options.say("drift", "true"));
   const bool none = std::ranges::find(options.columns.group, "none") != options.columns.group.end();
   if (none || std::ranges::max(gaps) > 1.0) return findings.note(what + ": is it another movie?");
-  findings.fault(0, fmt::format("{}: another movie begins. Tell movies apart by a column, {}, or read each by itself; "
-                                "{} if these are the same cells",
-                                what, options.say("columns", "group=NAME"), options.say("columns", "group=none")));
+  findings.fault(0,
+                 "{}: another movie begins. Tell movies apart by a column, {}, or read each by itself; {} if these are "
+                 "the same cells",
+                 what, options.say("columns", "group=NAME"), options.say("columns", "group=none"));
 }
 
 } // namespace
@@ -129,11 +129,10 @@ void look_for_leaps(const Tracks& tracks, const TrackOptions& options, Findings&
   if (alone == 0 || 10 * alone > found.size()) return;
   const auto length = [](const Found& one) { return std::hypot(one.step.dx, one.step.dy); };
   const Found& longest = *std::ranges::max_element(found, {}, length);
-  findings.note(fmt::format("{} over ten times the usual one, {:.3g} um; the longest, {:.3g} um, is of track {} at "
-                            "{:g} s: a wrong link, or another movie?",
-                            counted(alone, "step") + (alone == 1 ? " is" : " are"), usual, length(longest),
-                            excerpt(longest.track->name, 40),
-                            first + static_cast<double>(longest.to) * tracks.interval));
+  findings.note("{} over ten times the usual one, {:.3g} um; the longest, {:.3g} um, is of track {} at {:g} s: a wrong "
+                "link, or another movie?",
+                counted(alone, "step") + (alone == 1 ? " is" : " are"), usual, length(longest),
+                excerpt(longest.track->name, 40), first + static_cast<double>(longest.to) * tracks.interval);
 }
 
 } // namespace matrigrate::tracks

@@ -80,10 +80,9 @@ void decide(const std::vector<Evidence>& columns, char separator, Evidence& all,
       if (column.ends_in_zero.at(s) || column.many.at(s) >= 3)
         all.thousands.at(s) = column.either.at(s);
       else
-        findings.fault(
-            column.either.at(s).line,
-            fmt::format("{} may be a thousand or have decimals: write numbers without signs between their thousands",
-                        column.either.at(s).text));
+        findings.fault(column.either.at(s).line,
+                       "{} may be a thousand or have decimals: write numbers without signs between their thousands",
+                       column.either.at(s).text);
     }
   }
   for (const Evidence& column : columns)
@@ -108,26 +107,23 @@ NumberSigns number_signs(const Table& table, Findings& findings) {
   decide(columns, table.separator, all, findings);
   const auto& [points, commas] = all.decimal;
   if (points.there() && commas.there())
-    findings.fault(commas.line,
-                   fmt::format("has numbers with a comma, {}, and others with a point, {}: write points alone",
-                               commas.text, points.text));
+    findings.fault(commas.line, "has numbers with a comma, {}, and others with a point, {}: write points alone",
+                   commas.text, points.text);
   NumberSigns signs{.decimal = commas.there() ? ',' : '.', .thousands = '\0'};
   for (const std::size_t s : {std::size_t{0}, std::size_t{1}}) {
     const Example& example = all.thousands.at(s);
     if (!example.there()) continue;
     if (all.decimal.at(s).there())
-      findings.fault(example.line,
-                     fmt::format("has {} between thousands, {}, which are decimal signs in {}: write points alone",
-                                 s == 0 ? "points" : "commas", example.text, all.decimal.at(s).text));
+      findings.fault(example.line, "has {} between thousands, {}, which are decimal signs in {}: write points alone",
+                     s == 0 ? "points" : "commas", example.text, all.decimal.at(s).text);
     signs = {.decimal = both_signs[1 - s], .thousands = both_signs[s]};
   }
   if (!findings.good()) return signs;
   const Example& example = signs.thousands != '\0' ? all.thousands.at(both_signs.find(signs.thousands)) : commas;
   if (!example.there()) return signs;
   const double value = number_of(example.text, signs).value_or(std::numeric_limits<double>::quiet_NaN());
-  findings.note(fmt::format("{} {}: {} is {}", signs.thousands == '.' ? "points" : "commas",
-                            signs.thousands == '\0' ? "are read as decimal signs" : "separate thousands", example.text,
-                            value));
+  findings.note("{} {}: {} is {}", signs.thousands == '.' ? "points" : "commas",
+                signs.thousands == '\0' ? "are read as decimal signs" : "separate thousands", example.text, value);
   return signs;
 }
 
@@ -264,15 +260,14 @@ Clock clock_of(const Table& table, Findings& findings) {
   }
   if (dated) clock.origin = first;
   if (dated && either && days.size() > 1)
-    findings.fault(0, fmt::format("{}: dates with / may be read in two ways: write 2024-05-03", table.name(table.t)));
+    findings.fault(0, "{}: dates with / may be read in two ways: write 2024-05-03", table.name(table.t));
   if (!two) return clock;
   const std::string title = lower(table.name(table.t));
   const bool by_title = title.find("m:s") != std::string::npos || title.find("mm:ss") != std::string::npos
                         || title.find("min:s") != std::string::npos;
   clock.hours = !(fraction || three || by_title);
   if (clock.hours && title.find("h:m") == std::string::npos && title.find("hh:mm") == std::string::npos)
-    findings.fault(
-        0, fmt::format("{}: times of two parts may be h:min or min:s: write all three, h:min:s", table.name(table.t)));
+    findings.fault(0, "{}: times of two parts may be h:min or min:s: write all three, h:min:s", table.name(table.t));
   return clock;
 }
 

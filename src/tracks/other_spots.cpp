@@ -137,7 +137,7 @@ std::string unit_text(std::string text) {
 
 std::optional<double> finite_number(const std::string& text, const char* name, std::size_t line, Findings& findings) {
   const auto value = sheet_number(text, false);
-  if (!value) findings.fault(line, fmt::format("{}: \"{}\" is no finite number", name, excerpt(text)));
+  if (!value) findings.fault(line, "{}: \"{}\" is no finite number", name, excerpt(text));
   return value;
 }
 
@@ -223,7 +223,7 @@ Spots mtrackj_spots(std::string_view text, Findings& findings) {
   const auto point = [&](const SheetRow& row) {
     if (spots.names.empty()) return findings.fault(row.line, "has a point in no track");
     if (row.fields.size() < 6)
-      return findings.fault(row.line, fmt::format("has {} words; Point ID x y z t are wanted", row.fields.size()));
+      return findings.fault(row.line, "has {} words; Point ID x y z t are wanted", row.fields.size());
     const auto x = finite_number(row.fields[2], "x", row.line, findings);
     const auto y = finite_number(row.fields[3], "y", row.line, findings);
     const auto frame = finite_number(row.fields[5], "t", row.line, findings);

@@ -57,9 +57,9 @@ public:
     leave_short_out();
     find_interval();
     if (m_paths.size() < m_options.fewest)
-      m_findings.fault(0, fmt::format("has {} of at least {}; {} are needed to tell how cells differ ({}, {})",
-                                      counted(m_paths.size(), "track"), counted(m_options.shortest, "position"),
-                                      m_options.fewest, m_options.say("shortest"), m_options.say("fewest")));
+      m_findings.fault(0, "has {} of at least {}; {} are needed to tell how cells differ ({}, {})",
+                       counted(m_paths.size(), "track"), counted(m_options.shortest, "position"), m_options.fewest,
+                       m_options.say("shortest"), m_options.say("fewest"));
     if (!m_findings.good()) return;
     for (const Path& path : m_paths) place(path, tracks);
     if (!m_findings.good()) return;
@@ -87,19 +87,18 @@ private:
     }
     if (split == 0) return;
     if (m_options.splits != Splits::refuse)
-      return m_findings.note(fmt::format("{} of {} {}: {}", split, counted(all, "track"),
-                                         split == 1 ? "splits or merges" : "split or merge",
-                                         m_options.splits == Splits::cut ? "cut before it" : "left out"));
+      return m_findings.note("{} of {} {}: {}", split, counted(all, "track"),
+                             split == 1 ? "splits or merges" : "split or merge",
+                             m_options.splits == Splits::cut ? "cut before it" : "left out");
     const std::string way = fmt::format("{} ends it before, {} leaves it out", m_options.say("splits", "cut"),
                                         m_options.say("splits", "drop"));
     const std::string ids = fmt::format("do ids repeat in several movies? {} tells them apart",
                                         m_options.say("columns", fmt::format("group={}", m_apart)));
     for (auto& [line, what] : faults)
-      m_findings.fault(
-          line,
+      m_findings.fault_of_kind(
+          "twice", line,
           fmt::format("{}: {}", what,
-                      m_apart != no_name || (2 * split > all && all > 1) ? ids : "it splits or merges; " + way),
-          "twice");
+                      m_apart != no_name || (2 * split > all && all > 1) ? ids : "it splits or merges; " + way));
   }
 
   void leave_short_out() {
@@ -111,8 +110,8 @@ private:
       return true;
     });
     if (shorter > 0)
-      m_findings.note(fmt::format("{} of fewer than {} {} left out", counted(shorter, "track"),
-                                  counted(least, "position"), shorter == 1 ? "is" : "are"));
+      m_findings.note("{} of fewer than {} {} left out", counted(shorter, "track"), counted(least, "position"),
+                      shorter == 1 ? "is" : "are");
   }
 
   /// The most frequent step if a third of all are such, else the median: time stamps scatter.
@@ -172,8 +171,8 @@ private:
       const double whole = std::round(step);
       if (!(std::abs(step - whole) <= tolerance()) || whole < 1.0) return tell_step(path, i);
       if (whole + static_cast<double>(track.span()) > static_cast<double>(longest))
-        return m_findings.fault(spot.line, fmt::format("track {} spans more than {} intervals of {:g} s",
-                                                       excerpt(path.name, 40), longest, m_interval));
+        return m_findings.fault(spot.line, "track {} spans more than {} intervals of {:g} s", excerpt(path.name, 40),
+                                longest, m_interval);
       const auto by = static_cast<std::size_t>(whole);
       m_scatter.push_back(step * m_interval - whole * m_interval);
       off += m_scatter.back();
@@ -185,13 +184,12 @@ private:
     }
     if (smallest > 1 && track.k.size() > enough_steps)
       return m_findings.fault(path.spots[1].line,
-                              fmt::format("track {} has steps of {:g} s and more, {} {:g} s: one interval is needed",
-                                          excerpt(path.name, 40), static_cast<double>(smallest) * m_interval, rule(),
-                                          m_interval));
+                              "track {} has steps of {:g} s and more, {} {:g} s: one interval is needed",
+                              excerpt(path.name, 40), static_cast<double>(smallest) * m_interval, rule(), m_interval);
     m_intervals += track.span();
     if (m_intervals > most_intervals) {
       if (m_intervals - track.span() <= most_intervals)
-        m_findings.fault(0, fmt::format("its tracks span more than {} intervals", most_intervals));
+        m_findings.fault(0, "its tracks span more than {} intervals", most_intervals);
       return;
     }
     tracks.tracks.push_back(std::move(track));
@@ -200,11 +198,10 @@ private:
   std::string rule() const { return m_most ? "most have" : m_frequent ? "the most frequent is" : "the median is"; }
 
   void tell_step(const Path& path, std::size_t i) {
-    m_findings.fault(
-        path.spots[i].line,
-        fmt::format("track {} has a step of {:.6g} s, {} {:.6g} s: one interval is needed, within {:g} % ({})",
-                    excerpt(path.name, 40), path.spots[i].t - path.spots[i - 1].t, rule(), m_interval,
-                    100.0 * m_options.jitter, m_options.say("jitter", fmt::format("{:g}", m_options.jitter))));
+    m_findings.fault(path.spots[i].line,
+                     "track {} has a step of {:.6g} s, {} {:.6g} s: one interval is needed, within {:g} % ({})",
+                     excerpt(path.name, 40), path.spots[i].t - path.spots[i - 1].t, rule(), m_interval,
+                     100.0 * m_options.jitter, m_options.say("jitter", fmt::format("{:g}", m_options.jitter)));
   }
 
   /// Of time stamps that scatter, the interval is their mean step; a note tells the scatter.
@@ -216,8 +213,7 @@ private:
     }
     if (m_exact || !(largest > 1e-4 * m_interval)) return m_interval;
     if (m_rounded) {
-      m_findings.note(
-          fmt::format("times are rounded to {:g} s: positions are taken as every {:g} s", m_digit, m_interval));
+      m_findings.note("times are rounded to {:g} s: positions are taken as every {:g} s", m_digit, m_interval);
       return m_interval;
     }
     double duration = 0.0, intervals = 0.0;
@@ -228,9 +224,9 @@ private:
       intervals += static_cast<double>(track.span());
     }
     const double interval = std::strtod(fmt::format("{:.6g}", duration / intervals).c_str(), nullptr);
-    m_findings.note(fmt::format(
-        "time stamps scatter: steps differ from {:g} s by {:.2g} % (root mean square), at most {:.2g} %", interval,
-        100.0 * std::sqrt(square / static_cast<double>(m_scatter.size())) / m_interval, 100.0 * largest / m_interval));
+    m_findings.note("time stamps scatter: steps differ from {:g} s by {:.2g} % (root mean square), at most {:.2g} %",
+                    interval, 100.0 * std::sqrt(square / static_cast<double>(m_scatter.size())) / m_interval,
+                    100.0 * largest / m_interval);
     return interval;
   }
 
@@ -249,8 +245,8 @@ private:
       }
     }
     if (off > 0)
-      m_findings.note(fmt::format("{} {} between the times of the others, and {} own times", counted(off, "track"),
-                                  off == 1 ? "begins" : "begin", off == 1 ? "keeps its" : "keep their"));
+      m_findings.note("{} {} between the times of the others, and {} own times", counted(off, "track"),
+                      off == 1 ? "begins" : "begin", off == 1 ? "keeps its" : "keep their");
   }
 
   const TrackOptions& m_options;
@@ -289,9 +285,8 @@ void look_at_motion(const Tracks& tracks, const TrackOptions& options, Findings&
   if (!options.may_stand && std::ranges::all_of(tracks.tracks, is_still))
     return findings.fault(0, "no track moves: all positions of a track are the same");
   const double speed = median_speed(tracks);
-  if (speed > fast) findings.note(fmt::format("{:.0f} um/h is faster than cells crawl: are the units right?", speed));
-  if (speed > 0.0 && speed < slow)
-    findings.note(fmt::format("{:.2g} um/h is slower than cells crawl: are the units right?", speed));
+  if (speed > fast) findings.note("{:.0f} um/h is faster than cells crawl: are the units right?", speed);
+  if (speed > 0.0 && speed < slow) findings.note("{:.2g} um/h is slower than cells crawl: are the units right?", speed);
   look_for_leaps(tracks, options, findings);
 }
 
@@ -309,8 +304,8 @@ void fill(const Text& text, const TrackOptions& options, Tracks& tracks, Finding
   if (findings.good()) Grid(spots, options, findings).fill(tracks);
   if (!findings.good()) return;
   if (tracks.missing() > 0)
-    findings.note(fmt::format("{} {} missing within tracks; gaps are not filled", counted(tracks.missing(), "position"),
-                              tracks.missing() == 1 ? "is" : "are"));
+    findings.note("{} {} missing within tracks; gaps are not filled", counted(tracks.missing(), "position"),
+                  tracks.missing() == 1 ? "is" : "are");
   look_at_motion(tracks, options, findings);
 }
 

@@ -105,8 +105,8 @@ void take_headers_off(Table& table, const std::vector<std::vector<std::string>>&
                   [&](const SheetRow& row) { return std::ranges::find(titles, row.fields) != titles.end(); });
   table.parts = lines.size() + 1;
   if (!lines.empty())
-    findings.note(fmt::format("{} {} the header: {} were joined", lines_text(lines),
-                              lines.size() == 1 ? "repeats" : "repeat", counted(table.parts, "file")));
+    findings.note("{} {} the header: {} were joined", lines_text(lines), lines.size() == 1 ? "repeats" : "repeat",
+                  counted(table.parts, "file"));
 }
 
 /// Whether a row may be one of a table: it has what may be numbers where a position has them.
@@ -128,8 +128,8 @@ void take_remarks_off(Table& table, Findings& findings) {
     return true;
   });
   if (!lines.empty())
-    findings.note(fmt::format("{} within the table {} left out ({})", counted(lines.size(), "comment"),
-                              lines.size() == 1 ? "is" : "are", lines_text(lines)));
+    findings.note("{} within the table {} left out ({})", counted(lines.size(), "comment"),
+                  lines.size() == 1 ? "is" : "are", lines_text(lines));
   const Table::Column time = table.frame ? table.frame : table.t;
   std::set<std::string> ids;
   for (const SheetRow& row : table.rows)
@@ -144,8 +144,8 @@ void take_remarks_off(Table& table, Findings& findings) {
   for (; !table.rows.empty() && !ids.empty() && is_footer(table.rows.back()); table.rows.pop_back())
     lines.insert(lines.begin(), table.rows.back().line);
   if (!lines.empty())
-    findings.note(fmt::format("{} below the table {} left out ({})", counted(lines.size(), "line"),
-                              lines.size() == 1 ? "is" : "are", lines_text(lines)));
+    findings.note("{} below the table {} left out ({})", counted(lines.size(), "line"),
+                  lines.size() == 1 ? "is" : "are", lines_text(lines));
 }
 
 /// R writes names of rows below a header that has none for them.

@@ -200,10 +200,10 @@ private:
       m_findings.fault(row.line, "has a quote that is not closed");
     } else if (fields < least || fields > wanted) {
       const bool commas = m_table.separator == ',' && fields > wanted;
-      m_findings.fault(row.line, fmt::format("has {} fields, the header {}{}", fields, wanted,
-                                             commas ? ": if commas are decimal signs, save it with semicolons or tabs "
-                                                      "between columns, or with points in numbers"
-                                                    : ""));
+      m_findings.fault(row.line, "has {} fields, the header {}{}", fields, wanted,
+                       commas ? ": if commas are decimal signs, save it with semicolons or tabs between columns, or "
+                                "with points in numbers"
+                              : "");
     } else {
       return has_columns(row);
     }
@@ -217,7 +217,7 @@ private:
     used.insert(used.end(), m_table.group.begin(), m_table.group.end());
     for (const Table::Column c : used)
       if (c && *c >= row.fields.size() && !is_part(c)) {
-        m_findings.fault(row.line, fmt::format("has {} fields; there is no column {}", row.fields.size(), *c + 1));
+        m_findings.fault(row.line, "has {} fields; there is no column {}", row.fields.size(), *c + 1);
         return false;
       }
     return true;
@@ -247,11 +247,9 @@ private:
   std::optional<double> number(const SheetRow& row, Table::Column column) {
     const auto found = value(row, column);
     if (!found)
-      m_findings.fault(
-          row.line,
-          fmt::format("{}: \"{}\" is no {}{}", m_table.name(column), excerpt(field(row, column)),
-                      m_clock.runs && column == m_table.t ? "time of the clock, as others are" : "finite number",
-                      has_thousands_sign(field(row, column)) ? ": leave out what separates its thousands" : ""));
+      m_findings.fault(row.line, "{}: \"{}\" is no {}{}", m_table.name(column), excerpt(field(row, column)),
+                       m_clock.runs && column == m_table.t ? "time of the clock, as others are" : "finite number",
+                       has_thousands_sign(field(row, column)) ? ": leave out what separates its thousands" : "");
     return found;
   }
 
@@ -295,13 +293,11 @@ private:
     const std::string both = name == second ? name + " stands there twice" : name + " and " + second;
     if (where != nullptr && worst > same * range)
       m_findings.fault(
-          where->line,
-          fmt::format(
-              "{}{} contradict each other, {} and {}: name the right one, {}", both,
-              name == second ? ", and the two" : "", field(*where, column), field(*where, other),
-              m_options.say("columns", fmt::format("{}={}", key, name == second ? std::to_string(column + 1) : name))));
+          where->line, "{}{} contradict each other, {} and {}: name the right one, {}", both,
+          name == second ? ", and the two" : "", field(*where, column), field(*where, other),
+          m_options.say("columns", fmt::format("{}={}", key, name == second ? std::to_string(column + 1) : name)));
     else if (first)
-      m_findings.note(fmt::format("{}{} say the same", both, name == second ? "; both" : ""));
+      m_findings.note("{}{} say the same", both, name == second ? "; both" : "");
   }
 
   /// @return false if a tracker has made the position of this row up
@@ -310,8 +306,8 @@ private:
       if (!column) continue;
       const auto value = truth(field(row, column));
       if (!value)
-        m_findings.fault(row.line, fmt::format("{}: \"{}\" is neither true nor false", m_table.name(column),
-                                               excerpt(field(row, column))));
+        m_findings.fault(row.line, "{}: \"{}\" is neither true nor false", m_table.name(column),
+                         excerpt(field(row, column)));
       if (value.value_or(seen) != seen) return false;
     }
     return true;
@@ -330,8 +326,7 @@ private:
     const auto t = m_table.t ? number(row, m_table.t) : 0.0;
     const auto frame = m_table.frame ? number(row, m_table.frame) : 0.0;
     if (frame && *frame != std::round(*frame))
-      m_findings.fault(row.line,
-                       fmt::format("{}: {} is no whole number, as frames have", m_table.name(m_table.frame), *frame));
+      m_findings.fault(row.line, "{}: {} is no whole number, as frames have", m_table.name(m_table.frame), *frame);
     find_unit(row);
     if (m_table.z) m_heights.insert(field(row, m_table.z));
     if (!x || !y || !t || !frame) return;
@@ -341,8 +336,8 @@ private:
       m_last.push_back(*t);
     }
     if (m_clock.runs && m_clock.origin == 0.0 && *t < m_last[own->second] - half_a_day)
-      m_findings.fault(row.line, fmt::format("{}: times of the clock go over midnight: write them with the date",
-                                             m_table.name(m_table.t)));
+      m_findings.fault(row.line, "{}: times of the clock go over midnight: write them with the date",
+                       m_table.name(m_table.t));
     m_last[own->second] = *t;
     const std::string& time = field(row, m_table.t);
     if (const std::size_t sign = time.find(m_signs.decimal); sign != std::string::npos)
@@ -358,28 +353,25 @@ private:
       if (!column) continue;
       const std::string& unit = field(row, column);
       if (own->empty()) *own = unit;
-      if (unit != *own)
-        m_findings.fault(row.line, fmt::format("is in {}, rows before it in {}", excerpt(unit), excerpt(*own)));
+      if (unit != *own) m_findings.fault(row.line, "is in {}, rows before it in {}", excerpt(unit), excerpt(*own));
     }
   }
 
   void tell(bool repeat, const std::vector<std::size_t>& movies) {
     if (m_loose > 0)
-      m_findings.note(fmt::format("{} in no track (id {}) {} left out", counted(m_loose, "position"),
-                                  excerpt(fmt::format("{}", fmt::join(m_no_tracks, ", ")), 40),
-                                  m_loose == 1 ? "is" : "are"));
+      m_findings.note("{} in no track (id {}) {} left out", counted(m_loose, "position"),
+                      excerpt(fmt::format("{}", fmt::join(m_no_tracks, ", ")), 40), m_loose == 1 ? "is" : "are");
     if (m_heights.size() > 1) m_findings.note("z is left out: read-outs are of the projection on the plane");
     if (m_spots.made_up > 0)
-      m_findings.note(fmt::format("{} that the tracker made up ({}) are missing positions",
-                                  counted(m_spots.made_up, "position"),
-                                  m_table.name(m_table.made_up ? m_table.made_up : m_table.measured)));
+      m_findings.note("{} that the tracker made up ({}) are missing positions", counted(m_spots.made_up, "position"),
+                      m_table.name(m_table.made_up ? m_table.made_up : m_table.measured));
     if (m_spots.nowhere > 0)
-      m_findings.note(fmt::format("{} without a position are missing positions", counted(m_spots.nowhere, "row")));
-    if (repeat) m_findings.note(fmt::format("ids repeat: tracks are kept apart by {}", fmt::join(names(movies), ", ")));
+      m_findings.note("{} without a position are missing positions", counted(m_spots.nowhere, "row"));
+    if (repeat) m_findings.note("ids repeat: tracks are kept apart by {}", fmt::join(names(movies), ", "));
     if (m_table.x_unit != m_table.y_unit)
-      m_findings.fault(0, fmt::format("{} is in {}, {} in {}", m_table.name(m_table.x),
-                                      m_table.x_unit.empty() ? "no unit" : m_table.x_unit, m_table.name(m_table.y),
-                                      m_table.y_unit.empty() ? "no unit" : m_table.y_unit));
+      m_findings.fault(0, "{} is in {}, {} in {}", m_table.name(m_table.x),
+                       m_table.x_unit.empty() ? "no unit" : m_table.x_unit, m_table.name(m_table.y),
+                       m_table.y_unit.empty() ? "no unit" : m_table.y_unit);
   }
 
   std::vector<std::string> names(const std::vector<std::size_t>& columns) const {
@@ -434,7 +426,7 @@ Spots table_spots(std::string_view text, const TrackOptions& options, Findings& 
   }
   for (const Table::Column c : {table->x, table->y})
     if (const std::string name = column_title(table->name(c)).name; holds_steps(name))
-      findings.fault(0, fmt::format("{} holds steps, and no positions", table->name(c)));
+      findings.fault(0, "{} holds steps, and no positions", table->name(c));
   const Findings before = findings;
   SpotReader reader(*table, options, findings);
   reader.read();
