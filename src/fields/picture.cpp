@@ -45,7 +45,8 @@ void require_opaque(const Raster& raster) {
   for (std::size_t k = raster.channels - 1; k < raster.width * raster.height * raster.channels; k += raster.channels)
     if (raster.sample(k) != raster.full)
       throw std::invalid_argument(
-          fmt::format("has transparent pixels, whose values are undefined: save it without transparency, or take the samples of one channel with channel=1 to channel={}",
+          fmt::format("has transparent pixels, whose values are undefined: save it without transparency, or take the "
+                      "samples of one channel with channel=1 to channel={}",
                       raster.channels));
 }
 

@@ -181,7 +181,8 @@ void require_lossless(TIFF* tiff) {
     }
   }();
   if (name != nullptr)
-    throw std::invalid_argument(fmt::format("is compressed as {}, which changes the numbers, so there is no way to read it; save the original without compression, or with deflate or LZW",
+    throw std::invalid_argument(fmt::format("is compressed as {}, which changes the numbers, so there is no way to "
+                                            "read it; save the original without compression, or with deflate or LZW",
                                             name));
 }
 
@@ -197,7 +198,8 @@ SampleType type_of(std::size_t bits, std::uint16_t format) {
                      : format == SAMPLEFORMAT_IEEEFP ? "floating point"
                      : format == SAMPLEFORMAT_UINT   ? "unsigned integers"
                                                      : "another kind";
-  throw std::invalid_argument(fmt::format("has samples of {} bits, {}; allowed are unsigned integers of 8, 16 or 32 bits and floating point of 32 or 64 bits",
+  throw std::invalid_argument(fmt::format("has samples of {} bits, {}; allowed are unsigned integers of 8, 16 or 32 "
+                                          "bits and floating point of 32 or 64 bits",
                                           bits, kind));
 }
 

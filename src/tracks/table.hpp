@@ -81,24 +81,6 @@ struct Table {
 /// @return nothing, and a fault that names the way out, if the text has no table of tracks
 std::optional<Table> find_table(std::string_view text, const TrackOptions& options, Findings& findings);
 
-/// A name of the caller's as the number of a column from 1; nothing if it is none.
-/// @return  the number from 0
-std::optional<std::size_t> column_number(std::string_view name);
-
-/// A row as a header: a table without its rows. Nothing if it is none.
-std::optional<Table> header_of(const SheetRow& row, const TrackOptions& options);
-
-/// Whether a field is a number, with a point or a comma.
-bool is_numeric(std::string_view field);
-
-/// Tells why no header of tracks was found in a text, and the way out.
-void tell_no_header(std::string_view text, std::optional<char> separator, const TrackOptions& options,
-                    Findings& findings);
-
-/// Where a separator is looked for: tab, semicolon, comma, blanks.
-inline constexpr char separators[] = {'\t', ';', ',', ' '};
-inline constexpr std::size_t deepest_header = 30; ///< rows that are searched for a header
-
 struct NumberSigns {
   char decimal = '.';
   char thousands = '\0'; ///< none

@@ -47,7 +47,7 @@ src/study/study_plan/plan.cpp|without_folder(value) + value.substr(hash)|value|s
 src/study/study_plan/targets.cpp|std::sqrt(squares / weights)|std::sqrt(squares)|study_plan|the distance of a run is no mean over targets
 src/study/study_results/comparison.cpp|how.test != TestKind::welch|how.test == TestKind::welch|study_results|the interval of a difference pools variances with the wrong test
 src/fields/grids.cpp|kept.version == version|kept.version.has_value() == version.has_value()|fields|a file that has changed is not read again
-src/fields/samples.cpp|relative_slack = 1e-6|relative_slack = 1e-1|fields|nodes off the grid are moved onto it
+src/fields/grids.cpp|relative_slack = 1e-6|relative_slack = 1e-1|fields|nodes off the grid are moved onto it
 src/fields/tiff.cpp|orientation == ORIENTATION_TOPRIGHT|orientation == ORIENTATION_LEFTTOP|fields|a picture stored from right to left is mirrored
 '
 [ "$list" != laws ] || files=
