@@ -117,13 +117,15 @@ std::string readouts_text(const TrackReadouts& found) {
   return aligned(rows, 1);
 }
 
-/// @throws InputOutputError if the file that is to be written is there, or is the one that is read
-void check_output(const TracksArguments& asked) {
+/// @param way  out of it, besides --force
+/// @throws InputOutputError if the file that is to be written is there, or is one of those that are read
+void check_output(const TracksArguments& asked, std::string_view way = {}) {
   std::error_code ignored;
   if (asked.output.empty() || !std::filesystem::exists(asked.output, ignored)) return;
-  if (std::filesystem::equivalent(asked.output, asked.file, ignored))
-    throw InputOutputError(fmt::format("{}: is the file of tracks itself; name another one", asked.output));
-  if (!asked.force) throw InputOutputError(fmt::format("{}: exists; --force replaces it", asked.output));
+  for (const std::string& file : asked.files)
+    if (std::filesystem::equivalent(asked.output, file, ignored))
+      throw InputOutputError(fmt::format("{}: is a file of tracks itself; name another one", asked.output));
+  if (!asked.force) throw InputOutputError(fmt::format("{}: exists; --force replaces it{}", asked.output, way));
 }
 
 /// The tracks of the file as they are asked for.
@@ -154,12 +156,7 @@ int show_beside(TracksArguments asked) {
   run::require(state, run::Use::see_either);
   if (asked.output.empty()) asked.output = "beside.html";
   if (asked.json) throw UsageError("--json prints the read-outs of one file; --beside writes a page");
-  std::error_code ignored;
-  for (const std::string& file : asked.files)
-    if (std::filesystem::equivalent(asked.output, file, ignored))
-      throw InputOutputError(fmt::format("{}: is a file of tracks itself; name another one", asked.output));
-  if (!asked.force && std::filesystem::exists(asked.output))
-    throw InputOutputError(fmt::format("{}: exists; --force replaces it, -o names another file", asked.output));
+  check_output(asked, ", -o names another file");
   std::vector<study::CellGroup> groups;
   for (const std::string& file : asked.files) {
     asked.file = file;
@@ -210,7 +207,8 @@ int read_and_tell(TracksArguments asked) {
 void add_tracks(CLI::App& app, Action& chosen) {
   CLI::App* verb = app.add_subcommand("tracks", "Read measured tracks of cells, and print their read-outs");
   verb->footer(
-      "Reads the spots of TrackMate (CSV, or its tracks as XML), and the tables of CellTracksColab, celltrackR, trackpy,\n"
+      "Reads the spots of TrackMate (CSV, or its tracks as XML), and the tables of CellTracksColab, celltrackR, "
+      "trackpy,\n"
       "btrack, napari, ImageJ's Manual Tracking, MTrackJ, MOSAIC, CellProfiler and Imaris; of other tables --columns\n"
       "names the columns. What is given counts, whatever the file states; a note then says so.\n"
       "--beside draws the cells of all files and of the model on one page, each figure of which can be saved as SVG.\n"
@@ -223,14 +221,16 @@ void add_tracks(CLI::App& app, Action& chosen) {
   verb->add_option("FILE", options->files, "File of tracks; with --beside several, of groups of cells")->required();
   verb->add_option(
       "--beside", options->beside,
-      "Folder of a run or a study: writes a page (-o, default beside.html) with paths, mean square displacements and distributions of all files and of the model, at the interval, duration and --error of the files");
+      "Folder of a run or a study: writes a page (-o, default beside.html) with paths, mean square displacements and "
+      "distributions of all files and of the model, at the interval, duration and --error of the files");
   add_track_options(*verb, options->reading);
   verb->add_option("--shortest", options->reading.options.shortest, "Leave tracks of fewer positions out (default 4)");
   verb->add_option("--fewest", options->reading.options.fewest, "Refuse fewer tracks (default 2)");
   verb->add_flag("--drift", options->drift, "Take the mean motion of all tracks away, where five go on together");
   verb->add_option("--every", options->every, "Take positions at a longer interval [s], a whole multiple");
   verb->add_option("--error", options->error,
-                   "Localisation error of a coordinate [um], taken off the mean square displacement; with --beside added to simulated coordinates");
+                   "Localisation error of a coordinate [um], taken off the mean square displacement; with --beside "
+                   "added to simulated coordinates");
   verb->add_option("--resamples", options->resamples, "Draws of the bootstrap (default 200)")
       ->check(CLI::Range(0, 100000));
   verb->add_option("-o,--output", options->output, "Write the tracks into this CSV file; with --beside the page")

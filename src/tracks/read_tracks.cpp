@@ -394,9 +394,7 @@ struct Sum {
 std::vector<Sum> sums_of(const Tracks& tracks, double first, const std::string& file) {
   std::size_t last = 0;
   for (const Track& track : tracks.tracks) last = std::max(last, tracks.offset(track, first) + track.span());
-  if (last > most_times)
-    throw ConfigurationError(
-        {{file, 0, 0, {}, fmt::format("its tracks are {} intervals apart: drift cannot be found", last)}});
+  if (last > most_times) refuse(file, fmt::format("its tracks are {} intervals apart: drift cannot be found", last));
   std::vector<Sum> sums(last + 1);
   for (const Track& track : tracks.tracks) {
     const std::size_t offset = tracks.offset(track, first);
@@ -457,13 +455,8 @@ Drift drift_of(const Tracks& tracks, const std::string& file) {
 void take_drift_away(Tracks& tracks, const std::string& file) {
   const Drift drift = drift_of(tracks, file);
   if (drift.said.empty())
-    throw ConfigurationError(
-        {{file,
-          0,
-          0,
-          {},
-          fmt::format("at no time {} of {} tracks go on together, so drift cannot be separated from migration",
-                      least_for_drift, tracks.tracks.size())}});
+    refuse(file, fmt::format("at no time {} of {} tracks go on together, so drift cannot be separated from migration",
+                             least_for_drift, tracks.tracks.size()));
   const double first = tracks.first();
   for (Track& track : tracks.tracks) {
     const std::size_t offset = tracks.offset(track, first);

@@ -30,7 +30,7 @@ Parameters stepped(Parameters p, Integrator integrator, double dt) {
   return p;
 }
 
-Tips follow(const Parameters& p) {
+Tips tips_of(const Parameters& p) {
   SingleProtrusion one(p, angle);
   Tips tips;
   for (std::size_t k = 0; k < times.size(); ++k) {
@@ -66,12 +66,12 @@ double mean_length(const Parameters& p) {
 Result time_step(const Parameters& p) {
   Result result;
   result.table.columns = {"adaptive", "time_step_s", "early_error_um", "error_um"};
-  const Tips finest = follow(stepped(p, Integrator::reference, steps.front()));
+  const Tips finest = tips_of(stepped(p, Integrator::reference, steps.front()));
   std::vector<double> early_errors; // of the reference integrator first
   const auto errors = [&](Integrator integrator, std::span<const double> all, const std::string& label) {
     report::Series series{.label = label};
     for (const double dt : all) {
-      const Tips tips = follow(stepped(p, integrator, dt));
+      const Tips tips = tips_of(stepped(p, integrator, dt));
       series.add(dt, distance(tips, finest, tips.size()));
       early_errors.push_back(distance(tips, finest, early));
       result.table.add({integrator == Integrator::adaptive ? 1.0 : 0.0, dt, early_errors.back(), series.y.back()});
