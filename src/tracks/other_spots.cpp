@@ -8,6 +8,7 @@
 #include <map>
 #include <optional>
 #include <set>
+#include <utility>
 
 // Files that are no tables.
 namespace matrigrate::tracks {

@@ -2,7 +2,6 @@
 #include "sph/interpolate.hpp"
 #include "state/initial.hpp"
 #include "validation/case.hpp"
-#include "validation/closed_forms.hpp"
 #include "validation/specimen.hpp"
 
 #include <fmt/format.h>
