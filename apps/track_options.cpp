@@ -22,7 +22,8 @@ void add_track_options(CLI::App& verb, TrackArguments& arguments) {
                   "Unit of the column of time, where the file does not state it: ms, s, min, h or d");
   verb.add_option(
           "--columns", arguments.columns,
-          "Which columns hold what, where the names are not known: KEY=NAME,... of track, t, frame, x, y, z, group (separates movies), made_up, measured; of a table without header their numbers from 1; may be repeated")
+          "Which columns hold what, where the names are not known: KEY=NAME,... of track, t, frame, x, y, z, group "
+          "(separates movies), made_up, measured; of a table without header their numbers from 1; may be repeated")
       ->allow_extra_args(false);
   verb.add_option(
       "--layout", options.layout,

