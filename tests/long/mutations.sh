@@ -43,7 +43,7 @@ src/run/observe/even_times.cpp|= times[1] - times[0];|= times.back() - times[0];
 src/run/cadence.hpp|(t + m_slack) / m_interval|t / m_interval|run|an event is due twice where times are rounded down
 src/run/stopped_run.cpp|expected != configuration_hash(found.p)|expected.empty()|run|a checkpoint of another scenario is taken
 src/run/run_record.cpp|q.run.threads = threads_in_texts;||run|the configuration hash depends on the number of threads
-src/study/study_plan/plan.cpp|without_folder(value) + value.substr(hash)|value|study_plan|seeds depend on the folder of a file
+src/study/study_plan/study.cpp|without_folder(value) + value.substr(hash)|value|study_plan|seeds depend on the folder of a file
 src/study/study_plan/targets.cpp|std::sqrt(squares / weights)|std::sqrt(squares)|study_plan|the distance of a run is no mean over targets
 src/study/study_results/comparison.cpp|how.test != TestKind::welch|how.test == TestKind::welch|study_results|the interval of a difference pools variances with the wrong test
 src/fields/grids.cpp|kept.version == version|kept.version.has_value() == version.has_value()|fields|a file that has changed is not read again

@@ -59,37 +59,27 @@ Compared compared(const ClaimCondition& c, const ClaimRuns& runs, const std::str
                       .defined = runs.from.size() > 1 && runs.to.size() > 1}};
 }
 
+/// `differs` if it has to be significant, else `leans`.
+template <bool significantly>
 ClaimReading differs(const ClaimCondition& c, const ClaimRuns& runs) {
-  Compared two = compared(c, runs, fmt::format("significantly {}", word(c.sign)));
-  two.reading.met = two.signed_so && two.significant;
+  Compared two = compared(c, runs, fmt::format("{}{}", significantly ? "significantly " : "", word(c.sign)));
+  two.reading.met = two.signed_so && (two.significant || !significantly);
   two.reading.direction = two.signed_so;
   two.reading.against = opposes(c.sign, two.d);
   return two.reading;
 }
 
-ClaimReading leans(const ClaimCondition& c, const ClaimRuns& runs) {
-  Compared two = compared(c, runs, std::string(word(c.sign)));
-  two.reading.met = two.signed_so;
-  two.reading.direction = two.signed_so;
-  two.reading.against = opposes(c.sign, two.d);
-  return two.reading;
-}
-
+/// `not_beyond` if it is about one side, else `same`.
+template <bool one_sided>
 ClaimReading same(const ClaimCondition& c, const ClaimRuns& runs) {
-  Compared two = compared(c, runs, "not significantly different from");
-  two.reading.met = !two.significant;
+  Compared two = compared(c, runs,
+                          one_sided ? fmt::format("not significantly {}", word(c.sign))
+                                    : std::string("not significantly different from"));
+  const bool counts = two.signed_so || !one_sided;
+  two.reading.met = !(counts && two.significant);
   two.reading.family = ClaimFamily::no_difference;
-  two.reading.p = two.p;
-  two.reading.vague = vague(two.d, two.larger);
-  return two.reading;
-}
-
-ClaimReading not_beyond(const ClaimCondition& c, const ClaimRuns& runs) {
-  Compared two = compared(c, runs, fmt::format("not significantly {}", word(c.sign)));
-  two.reading.met = !(two.signed_so && two.significant);
-  two.reading.family = ClaimFamily::no_difference;
-  two.reading.p = two.signed_so ? two.p : 1.0;
-  two.reading.vague = vague(two.d, two.larger) && !opposes(c.sign, two.d);
+  two.reading.p = counts ? two.p : 1.0;
+  two.reading.vague = vague(two.d, two.larger) && !(one_sided && opposes(c.sign, two.d));
   return two.reading;
 }
 
@@ -257,15 +247,15 @@ const std::vector<ClaimRule>& claim_rules() {
   using enum ClaimPoints;
   static const std::vector<ClaimRule> rules{
       // `to` is significantly above (or below) `from`
-      {"differs", {"readout", "from", "to", "sign"}, from_to, differs},
+      {"differs", {"readout", "from", "to", "sign"}, from_to, differs<true>},
       // `to` does not differ significantly from `from`
-      {"same", {"readout", "from", "to"}, from_to, same},
+      {"same", {"readout", "from", "to"}, from_to, same<false>},
       // the mean of `to` is above (or below) that of `from`, significantly or not: "slightly"
-      {"leans", {"readout", "from", "to", "sign"}, from_to, leans},
+      {"leans", {"readout", "from", "to", "sign"}, from_to, differs<false>},
       // the mean square displacement, averaged over runs, has a steeper (or flatter) slope at `to`
       {"msd_leans", {"from", "to", "sign"}, curves, msd_leans},
       // `to` is not significantly above (or below) `from`
-      {"not_beyond", {"readout", "from", "to", "sign"}, from_to, not_beyond},
+      {"not_beyond", {"readout", "from", "to", "sign"}, from_to, same<true>},
       // the means of `to` and `from` are in a ratio below a bound
       {"ratio_below", {"readout", "from", "to", "bound"}, from_to, ratio_below},
       // in the runs the read-out is above another: the 95 % interval of their difference is above 0

@@ -13,11 +13,9 @@ namespace matrigrate::study {
 namespace {
 
 std::string label_in(const toml::table& table, FaultList& faults) {
-  const toml::node* node = table.get("label");
-  if (node == nullptr) {
-    faults.add(place_of(table), "conditions.label", "is missing; write label = \"soft\", the name for targets");
-    return {};
-  }
+  const toml::node* node =
+      faults.wanted(table, "conditions", "label", "; write label = \"soft\", the name for targets");
+  if (node == nullptr) return {};
   std::string label = faults.text(*node, "conditions.label");
   if (label.empty() && node->is_string()) faults.add(place_of(*node), "conditions.label", "is empty");
   return label;
@@ -47,14 +45,10 @@ std::vector<ConditionDraft> read_conditions(const toml::array& list, const Param
     faults.add(place_of(list), "conditions", fmt::format("has {} conditions; allowed are {}", list.size(), max_runs));
   if (list.size() > max_runs) return all;
   for (const toml::node& node : list) {
-    const toml::table* table = node.as_table();
-    if (table == nullptr) {
-      faults.add(place_of(node), "conditions",
-                 fmt::format("is {}, but a table of parameters is expected", type_of(node)));
-      continue;
-    }
+    const toml::table* table = faults.table(node, "conditions", "table of parameters");
+    if (table == nullptr) continue;
     ConditionDraft& draft = all.emplace_back(ConditionDraft{{label_in(*table, faults), {}}, place_of(node), {}});
-    for (const Named& named : named_parameters(*table, "conditions", {"label"}, base, faults)) {
+    for (const Named& named : named_parameters(*table, "conditions", "label", base, faults)) {
       Parameters scratch = base;
       auto setting = assigned(*named.row, *named.node, scratch, faults);
       if (!setting) continue;
@@ -84,6 +78,30 @@ std::vector<Draft> crossed(std::vector<Draft> sets, const std::vector<ConditionD
       }
     }
   return points;
+}
+
+void check_overlaps(const toml::table& study, const std::vector<ConditionDraft>& conditions, const Parameters& base,
+                    FaultList& faults) {
+  std::map<std::string_view, std::string> set; // the first condition that sets a parameter
+  for (const ConditionDraft& draft : conditions)
+    for (const Named& named : draft.parameters) set.emplace(named.row->path, draft.condition.label);
+  if (set.empty()) return;
+  FaultList told(""); // elsewhere
+  const auto check = [&](const toml::node* node, std::string_view section, std::string_view own) {
+    if (node == nullptr || !node->is_table()) return;
+    for (const Named& named : named_parameters(*node->as_table(), section, own, base, told)) {
+      const auto found =
+          std::ranges::find_if(set, [&](const auto& one) { return overlap(one.first, named.row->path); });
+      if (found != set.end())
+        faults.add(
+            place_of(*named.node), named.row->path,
+            fmt::format("is also set by the condition \"{}\"; a condition must not set a factor", found->second));
+    }
+  };
+  check(study.get("sweep"), "sweep", {});
+  check(study.get("latin_hypercube"), "latin_hypercube", "samples");
+  if (const toml::array* points = study["points"].as_array())
+    for (const toml::node& point : *points) check(&point, "points", "label");
 }
 
 } // namespace matrigrate::study

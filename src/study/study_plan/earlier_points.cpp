@@ -52,19 +52,16 @@ GoneValues follow_gone(toml::table& study, const toml::table& scenario) {
   for (const std::string_view key : {"points", "conditions"}) {
     toml::array* list = study[key].as_array();
     if (list == nullptr) continue;
-    for (toml::node& node : *list) {
-      toml::table* point = node.as_table();
-      if (point == nullptr) continue;
-      const Place place = place_of(*point);
+    list->for_each([&](toml::table& point) {
       if (key == "points")
         for (const Gone& parameter : gone())
-          if (const toml::node* value = point->get(parameter.path))
-            said[{place.line, place.column}].emplace(parameter.path, gone_value(*value));
-      say_by_laws(*point, scenario);
+          if (const toml::node* value = point.get(parameter.path))
+            said[place_of(point)].emplace(parameter.path, gone_value(*value));
+      say_by_laws(point, scenario);
       if (key == "points")
         for (const Gone& parameter : gone())
-          if (parameter.law.empty()) point->erase(parameter.path);
-    }
+          if (parameter.law.empty()) point.erase(parameter.path);
+    });
   }
   return said;
 }

@@ -7,14 +7,13 @@
 #include <map>
 #include <string>
 #include <string_view>
-#include <utility>
 
 /// Studies that an earlier version has written out, whose points may name parameters that have gone
 /// (parameters/gone.hpp). Test: tests/unit/study_plan/plan_test.cpp
 namespace matrigrate::study {
 
 /// What points say by parameters that have gone: by the place of the point's table, path and value.
-using GoneValues = std::map<std::pair<int, int>, std::map<std::string, std::string, std::less<>>>;
+using GoneValues = std::map<Place, std::map<std::string, std::string, std::less<>>>;
 
 /// Whether a program wrote the text of a study.
 bool is_written_out(std::string_view text);

@@ -12,16 +12,15 @@
 
 namespace matrigrate::study {
 
-namespace {
-
-Place place_of_region(const toml::source_region& source) {
+Place place_of(const toml::source_region& source) {
   return {static_cast<int>(source.begin.line), static_cast<int>(source.begin.column)};
 }
 
-} // namespace
-
-Place place_of(const toml::node& node) { return place_of_region(node.source()); }
-Place place_of(const toml::key& key) { return place_of_region(key.source()); }
+toml::table table_of(std::string_view text, const std::string& name) {
+  auto document = parse_document(text, name);
+  if (auto* fault = std::get_if<Fault>(&document)) throw ConfigurationError({std::move(*fault)});
+  return std::move(std::get<toml::table>(document));
+}
 
 std::string quoted_list(const std::vector<std::string>& names) {
   constexpr std::size_t most = 20;
@@ -30,11 +29,11 @@ std::string quoted_list(const std::vector<std::string>& names) {
 }
 
 void FaultList::add(Place place, std::string_view key, std::string message, Hint hint) {
-  m_faults.add({file(), place.line, place.column, excerpt(key, 80), std::move(message)}, std::move(hint));
+  add({file(), place.line, place.column, excerpt(key, 80), std::move(message)}, std::move(hint));
 }
 
 void FaultList::add(const std::vector<Fault>& faults) {
-  for (const Fault& fault : faults) m_faults.add(fault);
+  for (const Fault& fault : faults) add(fault);
 }
 
 void FaultList::check_keys(const toml::table& table, std::string_view section, const std::vector<std::string>& keys,
@@ -50,6 +49,11 @@ const toml::node* FaultList::wanted(const toml::table& table, std::string_view s
   const toml::node* node = table.get(key);
   if (node == nullptr) add(place_of(table), fmt::format("{}.{}", section, key), "is missing" + remedy);
   return node;
+}
+
+const toml::table* FaultList::table(const toml::node& node, std::string_view key, std::string_view expected) {
+  if (!node.is_table()) add(place_of(node), key, fmt::format("is {}, but a {} is expected", type_of(node), expected));
+  return node.as_table();
 }
 
 std::string FaultList::text(const toml::node& node, std::string_view key) {
@@ -90,26 +94,25 @@ std::size_t FaultList::choice(const toml::node& node, std::string_view key, cons
   const auto* value = node.as_string();
   const auto found = value == nullptr ? names.end() : std::ranges::find(names, value->get());
   if (found != names.end()) return static_cast<std::size_t>(found - names.begin());
-  constexpr std::size_t most_shown = 20; // more have presets and read-outs alone
-  if (names.size() <= most_shown) {
-    const std::string allowed = fmt::format("allowed is \"{}\"", fmt::join(names, "\" or \""));
-    if (value == nullptr)
-      add(place_of(node), key, fmt::format("is {}; {}", type_of(node), allowed));
-    else
-      add(place_of(node), key, fmt::format("\"{}\" is not known; {}", excerpt(value->get()), allowed),
-          [typed = value->get(), names] { return did_you_mean(nearest(typed, names)); });
+  const bool few = names.size() <= 20; // more have presets and read-outs alone
+  const std::string all =
+      few ? fmt::format("allowed is \"{}\"", fmt::join(names, "\" or \""))
+          : fmt::format("{} lists all {}", key == "preset" ? "`matrigrate list`" : "`matrigrate list --readouts-json`",
+                        names.size());
+  if (value == nullptr) {
+    add(place_of(node), key,
+        fmt::format("is {}{}; {}", type_of(node), few ? "" : ", but a name in quotes is expected", all));
     return 0;
   }
-  const std::string all = fmt::format(
-      "{} lists all {}", key == "preset" ? "`matrigrate list`" : "`matrigrate list --readouts-json`", names.size());
-  if (value == nullptr)
-    add(place_of(node), key, fmt::format("is {}, but a name in quotes is expected; {}", type_of(node), all));
+  const std::string unknown = fmt::format("\"{}\" is not known", excerpt(value->get()));
+  if (few)
+    add(place_of(node), key, unknown + "; " + all,
+        [typed = value->get(), names] { return did_you_mean(nearest(typed, names)); });
   else
-    add(place_of(node), key, fmt::format("\"{}\" is not known", excerpt(value->get())),
-        [typed = value->get(), names, all] {
-          const std::string meant = did_you_mean(nearest_readout(typed, names));
-          return meant + (meant.empty() ? "; " : " ") + all;
-        });
+    add(place_of(node), key, unknown, [typed = value->get(), names, all] {
+      const std::string meant = did_you_mean(nearest_readout(typed, names));
+      return meant + (meant.empty() ? "; " : " ") + all;
+    });
   return 0;
 }
 

@@ -5,11 +5,11 @@
 
 #include <toml++/toml.h>
 
+#include <compare>
 #include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 /// Faults of one file while it is read. Test: tests/unit/study_plan/read_study_test.cpp
@@ -19,22 +19,24 @@ namespace matrigrate::study {
 struct Place {
   int line = 0;
   int column = 0;
+
+  auto operator<=>(const Place&) const = default;
 };
 
-Place place_of(const toml::node& node);
-Place place_of(const toml::key& key);
+Place place_of(const toml::source_region& source);
+inline Place place_of(const toml::node& node) { return place_of(node.source()); }
+inline Place place_of(const toml::key& key) { return place_of(key.source()); }
+
+/// The table of a TOML text.   @throws ConfigurationError with one fault if it is none
+toml::table table_of(std::string_view text, const std::string& name);
 
 /// "a", "b", ...: the first of many names.
 std::string quoted_list(const std::vector<std::string>& names);
 
-class FaultList {
+class FaultList : public matrigrate::FaultList {
 public:
-  using Hint = matrigrate::FaultList::Hint;
-
-  explicit FaultList(std::string file) : m_faults(std::move(file)) {}
-
-  const std::string& file() const { return m_faults.file(); }
-  bool empty() const { return m_faults.empty(); }
+  using matrigrate::FaultList::add;
+  using matrigrate::FaultList::FaultList;
 
   void add(Place place, std::string_view key, std::string message, Hint hint = {});
   void add(const std::vector<Fault>& faults);
@@ -47,6 +49,9 @@ public:
   const toml::node* wanted(const toml::table& table, std::string_view section, std::string_view key,
                            const std::string& remedy = {});
 
+  /// The table that stands there; null, and a fault, if it is none.
+  const toml::table* table(const toml::node& node, std::string_view key, std::string_view expected = "table");
+
   /// The value if it is of its type and range; otherwise a fault and the default.
   std::string text(const toml::node& node, std::string_view key);
   bool flag(const toml::node& node, std::string_view key);
@@ -55,12 +60,6 @@ public:
   std::optional<double> number(const toml::node& node, std::string_view key);
   /// Index of the value among `names`; 0 with a fault.
   std::size_t choice(const toml::node& node, std::string_view key, const std::vector<std::string>& names);
-
-  /// @throws ConfigurationError if there is any fault: faults of this file by line, then all others
-  void raise() { m_faults.raise(); }
-
-private:
-  matrigrate::FaultList m_faults;
 };
 
 } // namespace matrigrate::study

@@ -16,7 +16,6 @@ namespace matrigrate::study {
 namespace {
 
 const std::vector<std::string> kind_names{"calibration", "predicted", "verification", "experiment"};
-constexpr std::string_view gone = "has gone with the first set of closures; the version of the tag closures-2 has both";
 
 bool has(const std::vector<std::string>& list, const std::string& one) {
   return std::ranges::find(list, one) != list.end();
@@ -34,8 +33,7 @@ std::string text_of(const toml::table& table) {
 class ClaimReader {
 public:
   ClaimReader(const std::vector<Point>& points, const LabelsOf& labels_of, FaultList& faults)
-      : m_labels_of(labels_of), m_faults(faults), m_readouts(all_readouts()) {
-    for (const Point& point : points) m_labels.push_back(point.label);
+      : m_labels_of(labels_of), m_faults(faults), m_readouts(all_readouts()), m_labels(all_labels(points)) {
     for (const ClaimRule& rule : claim_rules()) m_rules.push_back(rule.name);
   }
 
@@ -51,7 +49,7 @@ public:
     if (const auto* node = m_faults.wanted(table, "claims", "kind", "; write kind = \"predicted\""))
       claim.kind = static_cast<ClaimKind>(m_faults.choice(*node, "claims.kind", kind_names));
     if (const auto* node = table.get("closures"); node != nullptr && node->value<std::string>() != "second")
-      m_faults.add(place_of(*node), "claims.closures", std::string(gone));
+      m_faults.add(place_of(*node), "claims.closures", gone_with_first_closures);
     if (const auto* node = table.get("published")) claim.published = m_faults.text(*node, "claims.published");
     if (const auto* node =
             m_faults.wanted(table, "claims", "conditions", "; write conditions = [{ rule = \"differs\", ... }]"))
@@ -81,10 +79,8 @@ private:
       m_faults.add(place_of(node), "claims.conditions", "is no list of conditions, each a table with a rule");
     else
       for (const toml::node& one : *list)
-        if (const toml::table* table = one.as_table())
+        if (const toml::table* table = m_faults.table(one, "claims.conditions"))
           std::ranges::move(condition(*table), std::back_inserter(all));
-        else
-          m_faults.add(place_of(one), "claims.conditions", fmt::format("is {}, but a table is expected", type_of(one)));
     return all;
   }
 
@@ -213,6 +209,28 @@ private:
   std::set<std::string> m_ids;
 };
 
+double alpha_of(const toml::node& node, const std::string& key, FaultList& faults) {
+  const auto value = node.value<double>();
+  if (value && *value > 0.0 && *value <= 0.5) return *value;
+  faults.add(place_of(node), key,
+             value ? fmt::format("{} is out of range; allowed is > 0 and <= 0.5", *value)
+                   : fmt::format("is {}, but a number without quotes is expected, such as 0.05", type_of(node)));
+  return Comparisons{}.alpha;
+}
+
+void check_control(const Comparisons& c, const toml::table& table, const std::vector<Point>& points,
+                   FaultList& faults) {
+  if (c.pairs != Pairs::control) return;
+  const toml::node* node = table.get("control");
+  const std::vector<std::string> labels = all_labels(points);
+  if (has(labels, c.control)) return;
+  const std::string what = node == nullptr ? std::string("is missing: the label")
+                                           : fmt::format("\"{}\" is not the label", excerpt(c.control));
+  faults.add(place_of(node == nullptr ? *table.get("compare") : *node), "statistics.control",
+             fmt::format("{} of a point; the labels are {}{}", what, quoted_list(labels),
+                         did_you_mean(nearest(c.control, labels))));
+}
+
 } // namespace
 
 std::vector<std::string> Claim::studies() const {
@@ -243,48 +261,17 @@ std::vector<Claim> read_claims(const toml::array& list, const std::vector<Point>
   std::vector<Claim> all;
   ClaimReader reader(points, labels_of, faults);
   for (const toml::node& node : list)
-    if (const toml::table* table = node.as_table())
-      all.push_back(reader.read(*table));
-    else
-      faults.add(place_of(node), "claims", fmt::format("is {}, but a table is expected", type_of(node)));
+    if (const toml::table* table = faults.table(node, "claims")) all.push_back(reader.read(*table));
   return all;
 }
-
-namespace {
-
-double alpha_of(const toml::node& node, const std::string& key, FaultList& faults) {
-  const auto value = node.value<double>();
-  if (value && *value > 0.0 && *value <= 0.5) return *value;
-  faults.add(place_of(node), key,
-             value ? fmt::format("{} is out of range; allowed is > 0 and <= 0.5", *value)
-                   : fmt::format("is {}, but a number without quotes is expected, such as 0.05", type_of(node)));
-  return Comparisons{}.alpha;
-}
-
-void check_control(const Comparisons& c, const toml::table& table, const std::vector<Point>& points,
-                   FaultList& faults) {
-  if (c.pairs != Pairs::control) return;
-  const toml::node* node = table.get("control");
-  std::vector<std::string> labels;
-  labels.reserve(points.size());
-  for (const Point& point : points) labels.push_back(point.label);
-  if (std::ranges::find(labels, c.control) != labels.end()) return;
-  const std::string what = node == nullptr ? std::string("is missing: the label")
-                                           : fmt::format("\"{}\" is not the label", excerpt(c.control));
-  faults.add(place_of(node == nullptr ? *table.get("compare") : *node), "statistics.control",
-             fmt::format("{} of a point; the labels are {}{}", what, quoted_list(labels),
-                         did_you_mean(nearest(c.control, labels))));
-}
-
-} // namespace
 
 Comparisons read_comparisons(const toml::table& table, Comparisons c, const std::vector<Point>& points,
                              FaultList& faults) {
   faults.check_keys(table, "statistics", {"compare", "test", "control", "alpha"});
   if (const auto* node = table.get("compare"))
-    c.pairs = static_cast<Pairs>(faults.choice(*node, "statistics.compare", {"none", "adjacent", "all", "control"}));
+    c.pairs = static_cast<Pairs>(faults.choice(*node, "statistics.compare", pairs_names));
   if (const auto* node = table.get("test"))
-    c.test = static_cast<TestKind>(faults.choice(*node, "statistics.test", {"t", "welch", "mann_whitney"}));
+    c.test = static_cast<TestKind>(faults.choice(*node, "statistics.test", test_names));
   if (const auto* node = table.get("control")) c.control = faults.text(*node, "statistics.control");
   if (const auto* node = table.get("alpha")) c.alpha = alpha_of(*node, "statistics.alpha", faults);
   check_control(c, table, points, faults);

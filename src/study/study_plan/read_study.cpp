@@ -2,6 +2,7 @@
 
 #include "fields/grids.hpp"
 #include "parameters/assign.hpp"
+#include "parameters/changes.hpp"
 #include "parameters/document.hpp"
 #include "parameters/gone.hpp"
 #include "parameters/laws/constants.hpp"
@@ -16,6 +17,8 @@
 
 #include <algorithm>
 #include <map>
+#include <stdexcept>
+#include <unordered_map>
 
 namespace matrigrate::study {
 
@@ -25,42 +28,77 @@ constexpr std::size_t largest_file = std::size_t{1} << 25; // the resolved form 
 constexpr std::uint64_t largest_seed = (std::uint64_t{1} << 53U) - 1;
 constexpr std::size_t max_replicates = 100'000;
 
-const std::vector<std::string>& known_keys() {
-  static const std::vector<std::string> keys{"title",
-                                             "scenario",
-                                             "preset",
-                                             "replicates",
-                                             "seed",
-                                             "common_random_numbers",
-                                             "readouts",
-                                             "set",
-                                             "sweep",
-                                             "points",
-                                             "latin_hypercube",
-                                             "conditions",
-                                             "targets",
-                                             "statistics",
-                                             "claims"};
-  return keys;
-}
+/// What stands at the top of a file.
+const std::vector<std::string> known_keys{"title",  "scenario", "preset",     "replicates", "seed",
+                                          "set",    "readouts", "conditions", "statistics", "common_random_numbers",
+                                          "points", "claims",   "targets",    "sweep",      "latin_hypercube"};
 
-/// What replaces a section of earlier versions; null for another.
-const char* replacement(std::string_view key) {
-  if (key == "one_at_a_time")
-    return "is no design any more; list the base and each value alone as [[points]], or draw ranges by "
-           "[latin_hypercube], of which matrigrate.calibrate.fit tells how much each parameter matters";
-  if (key == "in_place_of")
-    return "has gone with the first set of closures; the version of the tag closures-2 has both";
-  if (key == "morris")
-    return "is no design any more; draw the ranges by [latin_hypercube], of which matrigrate.calibrate.fit tells how "
-           "much each parameter matters";
-  if (key == "steps")
-    return "belong to a design that is no more; leave them out: the points and their runs stay. A [latin_hypercube] "
-           "and matrigrate.calibrate.fit tell how much each parameter matters";
-  if (key == "outcomes")
-    return "have gone; write [[targets]], or give the numbers by condition to matrigrate.calibrate.fit";
-  return nullptr;
-}
+/// What replaces the sections of earlier versions.
+const std::map<std::string, const char*> replaced{
+    {"one_at_a_time",
+     "is no design any more; list the base and each value alone as [[points]], or draw ranges by [latin_hypercube], of "
+     "which matrigrate.calibrate.fit tells how much each parameter matters"},
+    {"in_place_of", gone_with_first_closures},
+    {"morris", "is no design any more; draw the ranges by [latin_hypercube], of which matrigrate.calibrate.fit tells "
+               "how much each parameter matters"},
+    {"steps", "belong to a design that is no more; leave them out: the points and their runs stay. A [latin_hypercube] "
+              "and matrigrate.calibrate.fit tell how much each parameter matters"},
+    {"outcomes", "have gone; write [[targets]], or give the numbers by condition to matrigrate.calibrate.fit"}};
+
+/// The rules on several parameters, at the points of a study.
+class RuleCheck {
+public:
+  /// @param more  rules besides rules(), which take long: each is judged once for the same values of its parameters,
+  ///              and for the first 1000 values only. The runs themselves are checked again.
+  RuleCheck(std::span<const Rule> more, FaultList& faults) : m_more(more), m_faults(faults) {}
+
+  /// Faults for the rules that p breaks.
+  /// @param places  of parameters in the file; the first one of a rule that is among them is blamed
+  void check(const Parameters& p, const Places& places) {
+    if (!check(p, "", places)) return;
+    for (const Period& period : periods(p)) check(period.p, fmt::format("from {} on: ", period.when), places);
+  }
+
+private:
+  /// @param when  in front of each fault   @return whether there is none
+  bool check(const Parameters& p, const std::string& when, const Places& places) {
+    Judgement judgement;
+    bool good = true;
+    const auto tell = [&](const Rule& rule, const std::string& broken) {
+      if (!broken.empty()) blame(rule, when + broken, places);
+      good = good && broken.empty();
+    };
+    for (const Rule& rule : rules()) tell(rule, judgement(rule, p, [&](const Rule& r) { return r.broken(p); }));
+    for (const Rule& rule : m_more) tell(rule, judgement(rule, p, [&](const Rule& r) { return found(r, p); }));
+    return good;
+  }
+
+  std::string found(const Rule& rule, const Parameters& p) {
+    constexpr std::size_t most = 1000;
+    std::string given(rule.name);
+    for (const std::string_view key : rule.keys) given += fmt::format("\n{} = {}", key, value_text(*find_row(key), p));
+    const auto known = m_found.find(given);
+    if (known != m_found.end()) return known->second;
+    return m_found.size() < most ? m_found.emplace(std::move(given), rule.broken(p)).first->second : std::string();
+  }
+
+  void blame(const Rule& rule, const std::string& broken, const Places& places) {
+    auto blamed = places.end();
+    if (rule.is_of_first) blamed = std::ranges::find(places, rule.keys.front(), &Places::value_type::first);
+    if (blamed == places.end())
+      blamed = std::ranges::find_if(places, [&](const auto& known) {
+        return std::ranges::any_of(rule.keys, [&](std::string_view key) { return overlap(key, known.first); });
+      });
+    if (blamed == places.end())
+      m_faults.add({}, rule.keys.front(), broken);
+    else
+      m_faults.add(blamed->second, blamed->first, said_of(rule, blamed->first, broken));
+  }
+
+  std::span<const Rule> m_more;
+  FaultList& m_faults;
+  std::unordered_map<std::string, std::string> m_found; ///< what is wrong, by rule and values
+};
 
 class Reader {
 public:
@@ -68,12 +106,7 @@ public:
       : m_faults(std::move(name)), m_folder(std::move(folder)), m_changes(changes) {}
 
   Study read(std::string_view text) {
-    auto document = parse_document(text, m_faults.file());
-    if (auto* fault = std::get_if<Fault>(&document)) {
-      m_faults.add({std::move(*fault)});
-      m_faults.raise();
-    }
-    m_table = std::move(std::get<toml::table>(document));
+    m_table = table_of(text, m_faults.file());
     m_written_out = is_written_out(text);
     if (m_written_out) m_gone = follow_gone(m_table, scenario_table());
     refuse_scenario();
@@ -88,8 +121,6 @@ public:
     return std::move(m_study);
   }
 
-  FaultList& faults() { return m_faults; }
-
 private:
   const toml::node* get(std::string_view key) const { return m_table.get(key); }
 
@@ -98,18 +129,17 @@ private:
     const auto name = m_table["scenario"].value<std::string>();
     if (!name) return {};
     try {
-      auto document = parse_document(read_document(m_folder / *name, largest_file), *name);
-      if (auto* table = std::get_if<toml::table>(&document)) return std::move(*table);
-    } catch (const InputOutputError&) {
+      return table_of(read_document(m_folder / *name, largest_file), *name);
+    } catch (const std::runtime_error&) {
+      return {};
     }
-    return {};
   }
 
   /// What points of an earlier version say by parameters that have gone: readings are kept for who reads what was made,
   /// and the seeds follow from what stood there.
   void take_gone(std::vector<Draft>& drafts) {
     for (Draft& draft : drafts) {
-      const auto found = m_gone.find({draft.place.line, draft.place.column});
+      const auto found = m_gone.find(draft.place);
       if (found == m_gone.end()) continue;
       Point& point = draft.point;
       point.seeded_by = point.settings;
@@ -148,23 +178,22 @@ private:
       return std::ranges::any_of(sections(), [&](const Section& s) { return s.name == entry.first.str(); });
     };
     if (is_study(m_table) || get("scenario") || get("preset") || std::ranges::none_of(m_table, of_scenario)) return;
-    m_faults.add({Fault{m_faults.file(), 0, 0, "",
-                        fmt::format("is a scenario of one run, and not a study; matrigrate run {0} computes it. A "
-                                    "study names it, scenario = \"{0}\", and what varies: docs/studies.md",
-                                    m_faults.file())}});
+    m_faults.add({}, "",
+                 fmt::format("is a scenario of one run, and not a study; matrigrate run {0} computes it. A study names "
+                             "it, scenario = \"{0}\", and what varies: docs/studies.md",
+                             m_faults.file()));
     m_faults.raise();
   }
 
   void check_keys() {
     for (const auto& [name, node] : m_table) {
       const std::string key(name.str());
-      if (std::ranges::find(known_keys(), key) != known_keys().end()) continue;
-      if (const char* instead = replacement(key)) {
-        m_faults.add(place_of(name), key, instead);
-        continue;
-      }
-      m_faults.add(place_of(name), key, fmt::format("a study has no such {}", node.is_table() ? "section" : "key"),
-                   [key] { return did_you_mean(nearest(key, known_keys())); });
+      if (std::ranges::find(known_keys, key) != known_keys.end()) continue;
+      if (const auto instead = replaced.find(key); instead != replaced.end())
+        m_faults.add(place_of(name), key, instead->second);
+      else
+        m_faults.add(place_of(name), key, fmt::format("a study has no such {}", node.is_table() ? "section" : "key"),
+                     [key] { return did_you_mean(nearest(key, known_keys)); });
     }
   }
 
@@ -299,8 +328,7 @@ private:
       take(listed_points(*points, m_study.base, allowance, m_faults));
     if (const auto* hypercube = section("latin_hypercube"))
       take(hypercube_points(*hypercube, m_study.base, m_study.seed, allowance, m_faults));
-    if (drafts.empty())
-      drafts.push_back({{.label = {}, .settings = {}, .parameters = m_study.base, .seeded_by = {}}, {}, {}});
+    if (drafts.empty()) drafts.emplace_back().point.parameters = m_study.base;
     return drafts;
   }
 
@@ -311,7 +339,7 @@ private:
 
   void check_points(const std::vector<Draft>& drafts) {
     if (!m_faults.empty()) return; // a rule would judge a default that nobody chose
-    RuleCheck rule_check(m_changes.more);
+    RuleCheck rule_check(m_changes.more, m_faults);
     std::vector<std::pair<std::string, std::string>> seen; // settings and labels
     for (const Draft& draft : drafts) {
       std::string settings;
@@ -319,23 +347,19 @@ private:
         settings += fmt::format("{} = {}\n", s.key, s.value);
       for (const auto& [path, value] : draft.point.parameters.origin.gone) settings += path + " = " + value + "\n";
       seen.emplace_back(std::move(settings), draft.point.label);
-      auto places = draft.settings;
+      Places places = draft.settings;
       places.insert(places.end(), m_fixed.begin(), m_fixed.end());
-      rule_check.check(draft.point.parameters, places, m_faults);
+      rule_check.check(draft.point.parameters, places);
     }
     const auto twice = [&](auto part, std::string_view what) {
       std::vector<std::size_t> order(seen.size());
       for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
       std::ranges::stable_sort(order, {}, [&](std::size_t i) { return seen[i].*part; });
-      std::map<std::pair<int, int>, std::vector<std::size_t>>
-          found; // by their line and column: a design has one for all
+      std::map<Place, std::vector<std::size_t>> found; // a design has one place for all
       for (std::size_t k = 1; k < order.size(); ++k)
-        if (seen[order[k]].*part == seen[order[k - 1]].*part) {
-          const Place& place = drafts[order[k]].place;
-          found[{place.line, place.column}].push_back(order[k]);
-        }
+        if (seen[order[k]].*part == seen[order[k - 1]].*part) found[drafts[order[k]].place].push_back(order[k]);
       for (const auto& [place, same] : found)
-        m_faults.add(drafts[same.front()].place, "points",
+        m_faults.add(place, "points",
                      fmt::format("\"{}\": {}{}", excerpt(seen[same.front()].second), what,
                                  same.size() == 1 ? "" : fmt::format(", and so are {} more", same.size() - 1)));
     };
@@ -367,7 +391,7 @@ private:
   bool m_written_out = false; ///< by the program, with all its points
   GoneValues m_gone;
   Study m_study;
-  std::vector<std::pair<std::string, Place>> m_fixed; ///< parameters of [set]
+  Places m_fixed; ///< parameters of [set]
 };
 
 } // namespace
@@ -382,9 +406,7 @@ Study read_study(const std::filesystem::path& file, const Changes& changes) {
 }
 
 bool is_study_file(const std::filesystem::path& file) {
-  const auto document = parse_document(read_document(file, largest_file), file.string());
-  if (const auto* fault = std::get_if<Fault>(&document)) throw ConfigurationError({*fault});
-  return is_study(std::get<toml::table>(document));
+  return is_study(table_of(read_document(file, largest_file), file.string()));
 }
 
 } // namespace matrigrate::study

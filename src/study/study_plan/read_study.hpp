@@ -15,6 +15,10 @@
 
 namespace matrigrate::study {
 
+/// Of what the second set of closures has no place for.
+inline constexpr const char* gone_with_first_closures =
+    "has gone with the first set of closures; the version of the tag closures-2 has both";
+
 /// The section [statistics]. Test: tests/unit/study_plan/read_study_test.cpp
 /// @param c       the settings where the section has none
 /// @param points  whose labels a control may name
@@ -42,9 +46,8 @@ struct Changes {
   LabelsOf labels_of = {};         ///< other studies, which claims may name
 };
 
-/// @throws InputOutputError if the file, or its scenario, cannot be read or has more than 32 MiB
+/// @throws InputOutputError if the file, or the scenario that it names, cannot be read or has more than 32 MiB
 /// @throws ConfigurationError with all faults, those of the scenario among them
-/// @throws InputOutputError if the file, or the scenario that it names, cannot be read
 Study read_study(const std::filesystem::path& file, const Changes& changes = {});
 
 /// Whether a file is a study rather than a scenario, whatever faults its values have.
@@ -54,9 +57,8 @@ bool is_study_file(const std::filesystem::path& file);
 
 /// @param name    stands for the file in faults
 /// @param folder  where the scenario is looked for
-/// @throws InputOutputError if its scenario cannot be read
-/// @throws ConfigurationError with all faults
 /// @throws InputOutputError if the scenario that it names cannot be read
+/// @throws ConfigurationError with all faults
 Study parse_study(std::string_view text, const std::string& name, const std::filesystem::path& folder,
                   const Changes& changes = {});
 

@@ -6,12 +6,10 @@
 #include "parameters/laws/constants.hpp"
 #include "parameters/nearest.hpp"
 #include "parameters/read.hpp"
-#include "parameters/rules.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <tuple>
 
 namespace matrigrate::study {
 
@@ -23,11 +21,11 @@ bool is_section(std::string_view path) {
   return std::ranges::any_of(sections(), [&](const Section& s) { return s.name == path; });
 }
 
-void gather(const toml::table& table, const std::string& prefix, std::string_view section,
-            const std::vector<std::string>& own, const Parameters& base, FaultList& faults, std::vector<Named>& found) {
+void gather(const toml::table& table, const std::string& prefix, std::string_view section, std::string_view own,
+            const Parameters& base, FaultList& faults, std::vector<Named>& found) {
   for (const auto& [name, node] : table) {
     const std::string path = prefix.empty() ? std::string(name.str()) : fmt::format("{}.{}", prefix, name.str());
-    if (prefix.empty() && std::ranges::find(own, path) != own.end()) continue;
+    if (!own.empty() && path == own) continue;
     const std::string shown = fmt::format("{}.{}", section, path);
     const Row* row = find_row(path, base);
     if (path == "run.seed" || path == "run.threads")
@@ -50,8 +48,10 @@ void gather(const toml::table& table, const std::string& prefix, std::string_vie
   }
 }
 
-void complete_fields_in(toml::table& table, const std::string& prefix, const std::filesystem::path& folder,
-                        fields::Grids& grids, FaultList& faults) {
+} // namespace
+
+void complete_fields(toml::table& table, const std::filesystem::path& folder, fields::Grids& grids, FaultList& faults,
+                     const std::string& prefix) {
   for (auto&& [name, node] : table) {
     const std::string path = prefix.empty() ? std::string(name.str()) : fmt::format("{}.{}", prefix, name.str());
     const auto complete = [&](toml::node& one) {
@@ -61,18 +61,12 @@ void complete_fields_in(toml::table& table, const std::string& prefix, const std
     };
     const Row* row = find_row(path);
     if (row == nullptr && node.is_table() && is_section(path))
-      complete_fields_in(*node.as_table(), path, folder, grids, faults);
+      complete_fields(*node.as_table(), folder, grids, faults, path);
     if (row == nullptr || kind(*row) != Kind::field) continue;
     complete(node);
     if (toml::array* list = node.as_array())
       for (toml::node& one : *list) complete(one);
   }
-}
-
-} // namespace
-
-void complete_fields(toml::table& table, const std::filesystem::path& folder, fields::Grids& grids, FaultList& faults) {
-  complete_fields_in(table, "", folder, grids, faults);
 }
 
 std::string without_folder(const std::string& value) {
@@ -90,8 +84,8 @@ std::string without_folder(const std::string& value) {
   return text;
 }
 
-std::vector<Named> named_parameters(const toml::table& table, std::string_view section,
-                                    const std::vector<std::string>& own, const Parameters& base, FaultList& faults) {
+std::vector<Named> named_parameters(const toml::table& table, std::string_view section, std::string_view own,
+                                    const Parameters& base, FaultList& faults) {
   std::vector<Named> found;
   gather(table, "", section, own, base, faults, found);
   const auto all = std::ranges::find(found, all_constants, [](const Named& n) { return n.row->path; });
@@ -101,10 +95,7 @@ std::vector<Named> named_parameters(const toml::table& table, std::string_view s
                "stands beside a constant alone; write each constant alone, or all of them in one text");
     found.erase(all);
   }
-  std::ranges::sort(found, {}, [](const Named& n) {
-    const Place place = place_of(*n.node);
-    return std::pair(place.line, place.column);
-  });
+  std::ranges::sort(found, {}, [](const Named& n) { return place_of(*n.node); });
   return found;
 }
 
@@ -123,6 +114,13 @@ bool overlap(std::string_view path, std::string_view other) {
          || (other == all_constants && !constant_name(path).empty());
 }
 
+std::optional<double> number_in_unit(const Row& row, Parameters p) { // NOLINT: members are asked of no const ones
+  using Integer = int& (*)(Parameters&);
+  if (const double* real = real_of(row, p)) return *real / units::to_internal(1.0, unit_of(row));
+  if (const auto* integer = std::get_if<Integer>(&row.member)) return (*integer)(p);
+  return std::nullopt;
+}
+
 std::optional<Setting> assigned(const Row& row, const toml::node& node, Parameters& p, FaultList& faults) {
   const std::string fault = assign(row, given_by(node), p);
   if (!fault.empty()) {
@@ -132,49 +130,6 @@ std::optional<Setting> assigned(const Row& row, const toml::node& node, Paramete
   // constants as typed: an earlier version had its seeds from that
   return Setting{std::string(row.path),
                  kind(row) == Kind::constants ? in_quotes(node.value_or(std::string())) : value_text(row, p)};
-}
-
-void RuleCheck::check(const Parameters& p, const std::vector<std::pair<std::string, Place>>& places,
-                      FaultList& faults) {
-  if (!check(p, "", places, faults)) return;
-  for (const Period& period : periods(p)) check(period.p, fmt::format("from {} on: ", period.when), places, faults);
-}
-
-bool RuleCheck::check(const Parameters& p, const std::string& when,
-                      const std::vector<std::pair<std::string, Place>>& places, FaultList& faults) {
-  Judgement judgement;
-  bool good = true;
-  const auto tell = [&](const Rule& rule, const std::string& broken) {
-    if (!broken.empty()) blame(rule, when + broken, places, faults);
-    good = good && broken.empty();
-  };
-  for (const Rule& rule : rules()) tell(rule, judgement(rule, p, [&](const Rule& r) { return r.broken(p); }));
-  for (const Rule& rule : m_more) tell(rule, judgement(rule, p, [&](const Rule& r) { return found(r, p); }));
-  return good;
-}
-
-const std::string& RuleCheck::found(const Rule& rule, const Parameters& p) {
-  static const std::string unknown;
-  std::string given(rule.name);
-  for (const std::string_view key : rule.keys) given += fmt::format("\n{} = {}", key, value_text(*find_row(key), p));
-  const auto known = m_found.find(given);
-  if (known != m_found.end()) return known->second;
-  if (m_found.size() >= max_found) return unknown;
-  return m_found.emplace(std::move(given), rule.broken(p)).first->second;
-}
-
-void RuleCheck::blame(const Rule& rule, const std::string& broken,
-                      const std::vector<std::pair<std::string, Place>>& places, FaultList& faults) {
-  auto blamed = places.end();
-  if (rule.is_of_first) blamed = std::ranges::find(places, rule.keys.front(), &std::pair<std::string, Place>::first);
-  if (blamed == places.end())
-    blamed = std::ranges::find_if(places, [&](const auto& known) {
-      return std::ranges::any_of(rule.keys, [&](std::string_view key) { return overlap(key, known.first); });
-    });
-  if (blamed == places.end())
-    faults.add({}, rule.keys.front(), broken);
-  else
-    faults.add(blamed->second, blamed->first, said_of(rule, blamed->first, broken));
 }
 
 } // namespace matrigrate::study

@@ -6,12 +6,14 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
 
 /// A study: the same simulation at several points of parameter space, several seeds at each.
+/// Test: tests/unit/study_plan/plan_test.cpp
 namespace matrigrate::study {
 
 /// A parameter and its value as it stands in a scenario file (value_text): "ecm.youngs_modulus", "\"50 Pa\"".
@@ -62,6 +64,10 @@ enum class Pairs { none, adjacent, all, control };
 
 enum class TestKind { t, welch, mann_whitney };
 
+/// How files call them, in their order.
+inline const std::vector<std::string> pairs_names{"none", "adjacent", "all", "control"};
+inline const std::vector<std::string> test_names{"t", "welch", "mann_whitney"};
+
 struct Comparisons {
   Pairs pairs = Pairs::adjacent;
   std::string control; ///< label of the point that the others are compared with
@@ -96,6 +102,14 @@ std::vector<std::string> all_readouts();
 /// @throws std::invalid_argument if there is no such read-out
 std::size_t readout_column(std::string_view readout);
 
+/// The labels of points, sets or conditions.
+template <class Labelled>
+std::vector<std::string> all_labels(const std::vector<Labelled>& all) {
+  std::vector<std::string> labels;
+  for (const Labelled& one : all) labels.push_back(one.label);
+  return labels;
+}
+
 /// The parameters that differ between points, each once, in the order in which they are first named.
 std::vector<std::string> swept_keys(const Study& study);
 
@@ -107,5 +121,32 @@ std::string measured_file(std::size_t k);
 
 /// True if the runs of a point have several cells.
 bool has_several_cells(const Study& study);
+
+/// One run.
+struct Run {
+  std::size_t point = 0;     ///< index into Study::points
+  std::size_t replicate = 1; ///< from 1
+  std::uint64_t seed = 0;
+  std::string hash; ///< of all that decides on its results: the name of its folder
+};
+
+/// The seed of a run: a hash of the study's seed, the settings of the point, sorted by key, and the replicate. So a run
+/// keeps its seed whatever points and replicates are added, left out or put in another order.
+/// @param settings  empty for common random numbers
+/// @return at most 2^53 - 1, which every reader of JSON keeps
+std::uint64_t run_seed(std::uint64_t study_seed, std::vector<Setting> settings, std::size_t replicate);
+
+/// The seed of a run where the settings of its point are taken as they were typed, as versions did that took two
+/// spellings of a law for two points. The seed of a run follows from their meaning (meant()).
+std::uint64_t seed_as_typed(const Study& study, const Run& run);
+
+/// The parameters of a run: those of its point, with its seed and one thread.
+Parameters parameters_of(const Study& study, const Run& run);
+
+/// A fingerprint of all parameters that decide on a run's results.
+using Fingerprint = std::function<std::string(const Parameters&)>;
+
+/// All runs, replicate by replicate, so that a study that is stopped early has something of every point.
+std::vector<Run> planned_runs(const Study& study, const Fingerprint& fingerprint);
 
 } // namespace matrigrate::study

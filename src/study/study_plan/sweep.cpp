@@ -1,11 +1,16 @@
 #include "study_plan/sweep.hpp"
 
+#include "base/random.hpp"
 #include "parameters/assign.hpp"
+#include "store/trajectory_hash.hpp"
 #include "study_plan/names.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <numeric>
 #include <unordered_map>
 #include <unordered_set>
 
@@ -13,17 +18,95 @@ namespace matrigrate::study {
 
 namespace {
 
+constexpr int usual_digits = 6, most_digits = 17;
+
+double rounded(double value, int digits) {
+  const std::string text = fmt::format("{:.{}g}", value, digits);
+  double number = 0.0;
+  std::from_chars(text.data(), text.data() + text.size(), number);
+  return number;
+}
+
+/// A range that is sampled, in the unit of the row: ["low", "high"] or ["low", "high", "log"].
+struct Span {
+  const Row* row;
+  Place place;
+  double low = 0.0;
+  double high = 0.0;
+  bool log = false;
+
+  /// The value at a share of the way from low to high, on the scale of the range.
+  double at(double share) const { return log ? low * std::pow(high / low, share) : low + share * (high - low); }
+  /// Where a value lies: the inverse of at().
+  double share(double value) const {
+    return log ? std::log(value / low) / std::log(high / low) : (value - low) / (high - low);
+  }
+};
+
+/// The range that stands behind a parameter; none, and faults, if it is none.
+std::optional<Span> span_of(const Named& named, const Parameters& base, FaultList& faults) {
+  const Row& row = *named.row;
+  const auto complain = [&](std::string message) {
+    faults.add(place_of(*named.node), row.path, std::move(message));
+    return std::nullopt;
+  };
+  const toml::array* list = named.node->as_array();
+  const std::string such = fmt::format("such as [{0}, {0}] or [{0}, {0}, \"log\"]", value_text(row, base));
+  if (!number_in_unit(row, base)) return complain("is no number, and has no range");
+  if (list == nullptr || list->size() < 2 || list->size() > 3)
+    return complain(fmt::format("is {}, but a range of low and high is expected, {}", type_of(*named.node), such));
+  Span span{&row, place_of(*named.node)};
+  if (list->size() == 3) {
+    if (list->get(2)->value_or(std::string()) != "log") return complain("the third of a range can only be \"log\"");
+    span.log = true;
+  }
+  Parameters low = base;
+  Parameters high = base;
+  const auto first = assigned(row, *list->get(0), low, faults);
+  const auto second = assigned(row, *list->get(1), high, faults);
+  if (!first || !second) return std::nullopt;
+  span.low = *number_in_unit(row, low);
+  span.high = *number_in_unit(row, high);
+  if (!(span.low < span.high)) return complain(fmt::format("{} is not below {}", first->value, second->value));
+  if (span.log && !(span.low > 0.0)) return complain("a logarithmic range must start above 0");
+  return span;
+}
+
+/// A number rounded to some digits, or to an integer, as if typed.
+Given given_number(const Row& row, double value, int digits) {
+  if (kind(row) == Kind::quantity) return {fmt::format("{:.{}g} {}", value, digits, row.unit), "a string"};
+  if (kind(row) == Kind::integer) return {static_cast<std::int64_t>(std::llround(value)), "a number"};
+  return {rounded(value, digits), "a number"};
+}
+
+/// The digits that keep a rounded value in its stratum of n of a range, at least the usual ones; none if the range is
+/// too narrow for n values.
+/// @param share  of the way from low to high, in [0, 1)
+std::optional<int> digits_for_stratum(const Span& span, double share, std::size_t n) {
+  if (kind(*span.row) == Kind::integer) return usual_digits; // several samples may have the same one
+  const double strata = static_cast<double>(n), value = span.at(share);
+  for (int digits = usual_digits; digits <= most_digits; ++digits)
+    if (std::floor(span.share(rounded(value, digits)) * strata) == std::floor(share * strata)) return digits;
+  const bool at_its_edge = std::abs(span.share(value) - share) * strata < 1e-6;
+  return at_its_edge ? std::optional(most_digits) : std::nullopt;
+}
+
 /// A count as people write it, also beyond any integer.
 std::string count_text(double count) {
   return count < 1e15 ? fmt::format("{:.0f}", count) : fmt::format("{:.2g}", count);
 }
 
-} // namespace
+/// A parameter with a list of values.
+struct ValueList {
+  const Row* row;
+  std::vector<const toml::node*> nodes;
+  std::vector<Setting> settings;
+};
 
-std::vector<ValueList> value_lists(const toml::table& table, std::string_view section, const Parameters& base,
-                                   FaultList& faults) {
+/// The lists of a section. Faults: no list, an empty list, a wrong value, a value listed twice.
+std::vector<ValueList> value_lists(const toml::table& sweep, const Parameters& base, FaultList& faults) {
   std::vector<ValueList> all;
-  for (const Named& named : named_parameters(table, section, {}, base, faults)) {
+  for (const Named& named : named_parameters(sweep, "sweep", {}, base, faults)) {
     const toml::array* list = named.node->as_array();
     if (list == nullptr || list->empty()) {
       faults.add(place_of(*named.node), named.row->path,
@@ -51,6 +134,8 @@ std::vector<ValueList> value_lists(const toml::table& table, std::string_view se
   }
   return all;
 }
+
+} // namespace
 
 void name_sets(std::vector<Draft>& sets, const std::vector<Condition>& conditions) {
   std::unordered_set<std::string> keys;
@@ -85,7 +170,7 @@ bool Allowance::allows(double more, Place place, std::string_view key, FaultList
 
 std::vector<Draft> grid_points(const toml::table& sweep, const Parameters& base, Allowance& allowance,
                                FaultList& faults) {
-  const std::vector<ValueList> all = value_lists(sweep, "sweep", base, faults);
+  const std::vector<ValueList> all = value_lists(sweep, base, faults);
   if (all.empty()) return {};
   double product = 1.0;
   for (const ValueList& axis : all) product *= static_cast<double>(axis.nodes.size());
@@ -113,15 +198,12 @@ std::vector<Draft> listed_points(const toml::array& points, const Parameters& ba
   std::vector<Draft> drafts;
   if (!allowance.allows(static_cast<double>(points.size()), place_of(points), "points", faults)) return drafts;
   for (const toml::node& node : points) {
-    const toml::table* table = node.as_table();
-    if (table == nullptr) {
-      faults.add(place_of(node), "points", fmt::format("is {}, but a table of parameters is expected", type_of(node)));
-      continue;
-    }
+    const toml::table* table = faults.table(node, "points", "table of parameters");
+    if (table == nullptr) continue;
     Draft draft;
     draft.place = place_of(node);
     draft.point.parameters = base;
-    for (const Named& named : named_parameters(*table, "points", {"label"}, base, faults))
+    for (const Named& named : named_parameters(*table, "points", "label", base, faults))
       if (auto setting = assigned(*named.row, *named.node, draft.point.parameters, faults)) {
         draft.point.settings.push_back(std::move(*setting));
         draft.settings.emplace_back(named.row->path, place_of(*named.node));
@@ -129,6 +211,58 @@ std::vector<Draft> listed_points(const toml::array& points, const Parameters& ba
     if (const toml::node* label = table->get("label")) draft.point.label = faults.text(*label, "points.label");
     drafts.push_back(std::move(draft));
   }
+  return drafts;
+}
+
+std::vector<double> stratified(std::size_t n, std::uint64_t seed) {
+  std::vector<std::size_t> strip(n);
+  std::iota(strip.begin(), strip.end(), std::size_t{0});
+  for (std::size_t i = n; i-- > 1;) { // Fisher and Yates
+    const double u = uniform(seed, Purpose::sampling, i, 0);
+    std::swap(strip[i], strip[static_cast<std::size_t>(u * static_cast<double>(i + 1))]);
+  }
+  std::vector<double> places(n);
+  for (std::size_t i = 0; i < n; ++i)
+    places[i] = (static_cast<double>(strip[i]) + uniform(seed, Purpose::sampling, i, 1)) / static_cast<double>(n);
+  return places;
+}
+
+std::vector<Draft> hypercube_points(const toml::table& hypercube, const Parameters& base, std::uint64_t seed,
+                                    Allowance& allowance, FaultList& faults) {
+  const toml::node* samples = hypercube.get("samples");
+  if (samples == nullptr) faults.add(place_of(hypercube), "latin_hypercube.samples", "is missing; write samples = 50");
+  const std::size_t n = samples == nullptr ? 0 : faults.whole(*samples, "latin_hypercube.samples", 1, max_runs);
+  std::vector<Span> spans;
+  for (const Named& named : named_parameters(hypercube, "latin_hypercube", "samples", base, faults))
+    if (const auto span = span_of(named, base, faults)) spans.push_back(*span);
+  if (spans.empty()) {
+    if (faults.empty()) faults.add(place_of(hypercube), "latin_hypercube", "has no range of a parameter");
+    return {};
+  }
+  if (!allowance.allows(static_cast<double>(n), place_of(hypercube), "latin_hypercube.samples", faults)) return {};
+  std::vector<Draft> drafts(n);
+  for (Draft& draft : drafts) draft.point.parameters = base;
+  for (const Span& span : spans) {
+    const std::uint64_t key = std::stoull(store::text_hash(fmt::format("{} {}", seed, span.row->path)), nullptr, 16);
+    const std::vector<double> places = stratified(n, key);
+    for (std::size_t i = 0; i < n; ++i) {
+      Point& point = drafts[i].point;
+      const std::optional<int> digits = digits_for_stratum(span, places[i], n);
+      if (!digits) {
+        faults.add(
+            span.place, span.row->path,
+            fmt::format("the range is too narrow for {} different values; take fewer samples or a wider range", n));
+        return {};
+      }
+      const std::string fault =
+          assign(*span.row, given_number(*span.row, span.at(places[i]), *digits), point.parameters);
+      if (!fault.empty()) faults.add(span.place, span.row->path, fault);
+      point.settings.push_back({std::string(span.row->path), value_text(*span.row, point.parameters)});
+      drafts[i].settings.emplace_back(span.row->path, span.place);
+      drafts[i].place = span.place;
+    }
+  }
+  for (std::size_t i = 0; i < n; ++i) drafts[i].point.label = fmt::format("sample {}", i + 1);
   return drafts;
 }
 

@@ -13,12 +13,15 @@
 /// Test: tests/unit/study_plan/read_study_test.cpp, plan_test.cpp
 namespace matrigrate::study {
 
+/// Where parameters stand in a file.
+using Places = std::vector<std::pair<std::string, Place>>;
+
 /// A point, or a factor set, that is being made, and where its settings stand in the file. Without a label it is called
 /// by its settings (name_sets).
 struct Draft {
   Point point;
   Place place;
-  std::vector<std::pair<std::string, Place>> settings;
+  Places settings;
 };
 
 inline constexpr std::size_t max_runs = 100'000;
@@ -27,8 +30,7 @@ inline constexpr std::size_t max_runs = 100'000;
 class Allowance {
 public:
   /// @param conditions  0 if the study has none
-  explicit Allowance(std::size_t replicates, std::size_t conditions = 0)
-      : m_replicates(replicates), m_conditions(conditions) {}
+  Allowance(std::size_t replicates, std::size_t conditions) : m_replicates(replicates), m_conditions(conditions) {}
 
   /// To be asked before points are made. @param more  a product of lengths, which may be beyond any integer
   /// @return whether that many more are allowed; if not, a fault says how many there would be
@@ -39,17 +41,6 @@ private:
   std::size_t m_conditions;
   double m_points = 0.0;
 };
-
-/// A parameter with a list of values.
-struct ValueList {
-  const Row* row;
-  std::vector<const toml::node*> nodes;
-  std::vector<Setting> settings;
-};
-
-/// The lists of a section. Faults: no list, an empty list, a wrong value, a value listed twice.
-std::vector<ValueList> value_lists(const toml::table& table, std::string_view section, const Parameters& base,
-                                   FaultList& faults);
 
 /// [sweep]: each value of each list with each of the others; the last list changes fastest.
 std::vector<Draft> grid_points(const toml::table& sweep, const Parameters& base, Allowance& allowance,

@@ -1,9 +1,9 @@
 #include "parameters/assign.hpp"
 #include "parameters/document.hpp"
 #include "parameters/nearest.hpp"
+#include "parameters/units.hpp"
 #include "statistics/sample.hpp"
 #include "study_plan/conditions.hpp"
-#include "study_plan/track_keys.hpp"
 #include "tables/cell_tracks.hpp"
 
 #include <fmt/format.h>
@@ -15,30 +15,104 @@
 #include <memory>
 #include <set>
 #include <sstream>
+#include <stdexcept>
 #include <utility>
 
 namespace matrigrate::study {
 
 namespace {
 
-const std::vector<std::string>& target_keys() {
-  static const std::vector<std::string> keys = [] {
-    std::vector<std::string> all{"readout", "value", "low", "high", "error", "weight", "at", "tracks"};
-    all.insert(all.end(), track_keys().begin(), track_keys().end());
-    return all;
-  }();
-  return keys;
+using Tracks = std::shared_ptr<const std::vector<tracks::CellTrack>>;
+
+/// How a file of tracks is to be read, beside `tracks = "FILE"`.
+const std::vector<std::string> track_keys{"pixel",  "interval", "time_unit",   "columns", "layout",
+                                          "splits", "jitter",   "recalibrate", "shortest"};
+
+/// "interval = S", "columns = \"track=NAME\""; "interval".
+std::string as_key(std::string_view option, std::string_view value) {
+  std::string name(option);
+  std::ranges::replace(name, '-', '_');
+  if (value.empty()) return name;
+  const bool text = name == "columns" || name == "time_unit" || name == "splits" || name == "layout";
+  return text ? fmt::format("{} = \"{}\"", name, value) : fmt::format("{} = {}", name, value);
 }
+
+/// Reads these keys of a table.
+class TrackKeys {
+public:
+  TrackKeys(const toml::table& table, FaultList& faults) : m_table(table), m_faults(faults) {}
+
+  tracks::TrackOptions options() {
+    tracks::TrackOptions options;
+    options.wording = as_key;
+    options.shortest = 2; // also of the copy in the folder of the study, which has all tracks that count
+    options.pixel = quantity("pixel", "um");
+    options.interval = quantity("interval", "s");
+    if (const auto* node = m_table.get("time_unit")) options.time_unit = m_faults.text(*node, key("time_unit"));
+    if (const auto* node = m_table.get("layout")) options.layout = m_faults.text(*node, key("layout"));
+    if (const auto* node = m_table.get("columns")) read_columns(*node, options.columns);
+    if (const auto* node = m_table.get("splits"))
+      options.splits = static_cast<tracks::Splits>(m_faults.choice(*node, key("splits"), {"refuse", "cut", "drop"}));
+    if (const auto* node = m_table.get("jitter"))
+      options.jitter = m_faults.number(*node, key("jitter")).value_or(options.jitter);
+    if (const auto* node = m_table.get("recalibrate")) m_faults.flag(*node, key("recalibrate")); // of 0.3.0
+    if (const auto* node = m_table.get("shortest"))
+      options.shortest = m_faults.whole(*node, key("shortest"), 2, 1'000'000);
+    for (const std::string& fault : tracks::faults_of(options)) {
+      const std::string name = fault.substr(0, fault.find(": "));
+      const toml::node* node = m_table.get(name);
+      m_faults.add(node != nullptr ? place_of(*node) : place_of(m_table), key(name), fault.substr(name.size() + 2));
+    }
+    return options;
+  }
+
+private:
+  static std::string key(std::string_view name) { return fmt::format("targets.{}", name); }
+
+  /// A number in this unit, or a string with its own.
+  std::optional<double> quantity(const std::string& name, const std::string& unit) {
+    const toml::node* node = m_table.get(name);
+    if (node == nullptr) return std::nullopt;
+    const auto* text = node->as_string();
+    if (text == nullptr) return m_faults.number(*node, key(name));
+    try {
+      const units::Quantity quantity = units::parse_quantity(text->get());
+      const units::Unit own = units::parse_unit(quantity.unit.empty() ? unit : quantity.unit);
+      if (own.dimension != units::parse_unit(unit).dimension)
+        throw std::invalid_argument(fmt::format("is {}; write it in {}", units::to_string(own.dimension), unit));
+      return units::to_internal(quantity.number, own);
+    } catch (const std::invalid_argument& fault) {
+      m_faults.add(place_of(*node), key(name), fmt::format("\"{}\": {}", excerpt(text->get()), fault.what()));
+      return std::nullopt;
+    }
+  }
+
+  /// columns = {track = "Track n°", x = "X"}, or "track=Track n°,x=X".
+  void read_columns(const toml::node& node, tracks::ColumnNames& names) {
+    const toml::table* table = node.as_table();
+    try {
+      if (table == nullptr) return tracks::add_columns(m_faults.text(node, key("columns")), names);
+      for (const auto& [name, value] : *table)
+        tracks::add_columns(fmt::format("{}={}", std::string_view(name.str()), m_faults.text(value, key("columns"))),
+                            names);
+    } catch (const std::invalid_argument& fault) {
+      m_faults.add(place_of(node), key("columns"), fault.what());
+    }
+  }
+
+  const toml::table& m_table;
+  FaultList& m_faults;
+};
 
 class TargetReader {
 public:
   TargetReader(const std::vector<Condition>& conditions, std::filesystem::path folder, FaultList& faults)
-      : m_faults(faults), m_folder(std::move(folder)), m_readouts(all_readouts()) {
-    for (const Condition& c : conditions) m_labels.push_back(c.label);
-  }
+      : m_faults(faults), m_folder(std::move(folder)), m_readouts(all_readouts()), m_labels(all_labels(conditions)) {}
 
   Target read(const toml::table& table) {
-    m_faults.check_keys(table, "targets", target_keys());
+    std::vector<std::string> keys{"readout", "value", "low", "high", "error", "weight", "at", "tracks"};
+    keys.insert(keys.end(), track_keys.begin(), track_keys.end());
+    m_faults.check_keys(table, "targets", keys);
     Target target;
     if (const auto* node = m_faults.wanted(table, "targets", "readout", "; write readout = \"v_migr_abs_um_per_h\""))
       target.readout = readout(*node);
@@ -60,7 +134,7 @@ private:
   }
 
   void read_value(const toml::table& table, Target& target) {
-    for (const std::string& key : track_keys())
+    for (const std::string& key : track_keys)
       if (const auto* node = table.get(key))
         m_faults.add(place_of(*node), fmt::format("targets.{}", key),
                      "tells how tracks are read; there are none: write tracks = \"FILE\"");
@@ -99,17 +173,17 @@ private:
   }
 
   /// The tracks of a file, read once for each way in which it is to be read; null, and faults, if it cannot be.
-  std::shared_ptr<const std::vector<tracks::CellTrack>>
-  tracks_of(const std::filesystem::path& file, const toml::node& node, const toml::table& table, Target& target) {
+  Tracks tracks_of(const std::filesystem::path& file, const toml::node& node, const toml::table& table,
+                   Target& target) {
     std::ostringstream keys; // that tell how it is to be read
-    for (const std::string& key : track_keys())
+    for (const std::string& key : track_keys)
       if (const auto* given = table.get(key))
         given->visit([&](const auto& value) { keys << key << " = " << value << '\n'; });
     auto& tracks = m_tracks[{file, keys.str()}];
     if (tracks != nullptr) return tracks;
     try {
       FaultList wrong_keys(m_faults.file());
-      tracks::TrackOptions options = read_track_keys(table, "targets", wrong_keys);
+      tracks::TrackOptions options = TrackKeys(table, wrong_keys).options();
       wrong_keys.raise();
       // The copy in the folder of a study has been looked at for other movies, and its tracks all begin at 0.
       if (file.filename().string().starts_with("measured-")) options.columns.group.emplace_back("none");
@@ -149,22 +223,15 @@ private:
     target.high = *to;
   }
 
-  std::optional<double> measured(const toml::node& node, std::string_view key) {
-    constexpr double most = 1e30;
+  std::optional<double> measured(const toml::node& node, std::string_view key, double least = -1e30) {
+    constexpr double most = 1e30; // squares of quotients are numbers
     const auto value = m_faults.number(node, key);
-    if (value && std::abs(*value) > most)
-      m_faults.add(place_of(node), key, fmt::format("{} is out of range; allowed are {} to {}", *value, -most, most));
+    if (value && !(*value >= least && *value <= most))
+      m_faults.add(place_of(node), key, fmt::format("{} is out of range; allowed are {} to {}", *value, least, most));
     return value;
   }
 
-  double positive(const toml::node& node, std::string_view key) {
-    constexpr double least = 1e-30, most = 1e30; // squares of quotients are numbers
-    const auto value = m_faults.number(node, key);
-    const bool allowed = value && *value >= least && *value <= most;
-    if (value && !allowed)
-      m_faults.add(place_of(node), key, fmt::format("{} is out of range; allowed are {} to {}", *value, least, most));
-    return allowed ? *value : 1.0;
-  }
+  double positive(const toml::node& node, std::string_view key) { return measured(node, key, 1e-30).value_or(1.0); }
 
   std::vector<std::size_t> conditions(const toml::node& node) {
     std::vector<std::size_t> at;
@@ -215,8 +282,7 @@ private:
   FaultList& m_faults;
   std::filesystem::path m_folder;
   /// By their files, and by the keys that tell how these are read.
-  std::map<std::pair<std::filesystem::path, std::string>, std::shared_ptr<const std::vector<tracks::CellTrack>>>
-      m_tracks;
+  std::map<std::pair<std::filesystem::path, std::string>, Tracks> m_tracks;
   std::vector<std::string> m_readouts;
   std::vector<std::string> m_labels;
   std::set<std::pair<std::string, std::size_t>> m_seen;
@@ -228,26 +294,20 @@ std::vector<Target> read_targets(const toml::array& list, const std::vector<Cond
                                  const std::filesystem::path& folder, FaultList& faults) {
   std::vector<Target> all;
   TargetReader reader(conditions, folder, faults);
-  for (const toml::node& node : list) {
-    if (const toml::table* table = node.as_table())
-      all.push_back(reader.read(*table));
-    else
-      faults.add(place_of(node), "targets", fmt::format("is {}, but a table is expected", type_of(node)));
-  }
+  for (const toml::node& node : list)
+    if (const toml::table* table = faults.table(node, "targets")) all.push_back(reader.read(*table));
   return all;
 }
 
 std::vector<Target> read_target_file(const std::filesystem::path& file) {
   constexpr std::size_t largest_file = std::size_t{1} << 25;
-  auto document = parse_document(read_document(file, largest_file), file.string());
-  if (auto* fault = std::get_if<Fault>(&document)) throw ConfigurationError({std::move(*fault)});
+  const toml::table document = table_of(read_document(file, largest_file), file.string());
   FaultList faults(file.string());
-  const toml::node* node = std::get<toml::table>(document).get("targets");
   std::vector<Target> all;
-  if (node == nullptr || node->as_array() == nullptr || node->as_array()->empty())
+  if (const toml::array* list = document["targets"].as_array(); list == nullptr || list->empty())
     faults.add({}, "targets", "there are none; write [[targets]], and readout, value and error below");
   else
-    all = read_targets(*node->as_array(), {}, file.parent_path(), faults);
+    all = read_targets(*list, {}, file.parent_path(), faults);
   faults.raise();
   return all;
 }

@@ -9,15 +9,18 @@ namespace matrigrate::study {
 
 namespace {
 
-/// A string of TOML: those of JSON are a part of them.
+/// A string, or a list of strings, of TOML: those of JSON are a part of them.
 std::string quoted(const std::string& text) { return nlohmann::json(text).dump(); }
+std::string quoted(const std::vector<std::string>& texts) {
+  std::vector<std::string> all;
+  for (const std::string& text : texts) all.push_back(quoted(text));
+  return fmt::format("[{}]", fmt::join(all, ", "));
+}
 
 std::string statistics_section(const Comparisons& c) {
-  static constexpr const char* pairs[] = {"none", "adjacent", "all", "control"};
-  static constexpr const char* tests[] = {"t", "welch", "mann_whitney"};
-  std::string text = fmt::format("\n[statistics]\ncompare = \"{}\"\n", pairs[static_cast<std::size_t>(c.pairs)]);
+  std::string text = fmt::format("\n[statistics]\ncompare = \"{}\"\n", pairs_names[static_cast<std::size_t>(c.pairs)]);
   if (c.pairs == Pairs::control) text += fmt::format("control = {}\n", quoted(c.control));
-  return text + fmt::format("test = \"{}\"\nalpha = {}\n", tests[static_cast<std::size_t>(c.test)], c.alpha);
+  return text + fmt::format("test = \"{}\"\nalpha = {}\n", test_names[static_cast<std::size_t>(c.test)], c.alpha);
 }
 
 void add_settings(const std::vector<Setting>& settings, std::string& text) {
@@ -36,26 +39,21 @@ std::string target_section(const Study& study, const Target& t) {
   }
   text += fmt::format("weight = {}\n", t.weight);
   if (t.at.empty()) return text;
-  std::string labels;
-  for (const std::size_t c : t.at)
-    labels += fmt::format("{}{}", labels.empty() ? "" : ", ", quoted(study.conditions[c].label));
-  return text + fmt::format("at = [{}]\n", labels);
+  std::vector<std::string> labels;
+  for (const std::size_t c : t.at) labels.push_back(study.conditions[c].label);
+  return text + fmt::format("at = {}\n", quoted(labels));
 }
 
 } // namespace
 
 std::string to_toml(const Study& study, const std::string& scenario) {
-  std::string text =
-      study.conditions.empty()
-          ? "# A study with all its points written out. Running this file again adds nothing.\n"
-          : "# A study with all its points written out; each is run at each condition. Running this file "
-            "again adds nothing.\n";
+  std::string text = fmt::format("# A study with all its points written out{}. Running this file again adds nothing.\n",
+                                 study.conditions.empty() ? "" : "; each is run at each condition");
   if (!study.title.empty()) text += fmt::format("title = {}\n", quoted(study.title));
-  text += fmt::format("scenario = {}\nreplicates = {}\nseed = {}\ncommon_random_numbers = {}\nreadouts = [",
-                      quoted(scenario), study.replicates, study.seed, study.common_random_numbers);
-  for (std::size_t i = 0; i < study.readouts.size(); ++i)
-    text += fmt::format("{}{}", i == 0 ? "" : ", ", quoted(study.readouts[i]));
-  text += "]\n" + statistics_section(study.comparisons);
+  text +=
+      fmt::format("scenario = {}\nreplicates = {}\nseed = {}\ncommon_random_numbers = {}\nreadouts = {}\n",
+                  quoted(scenario), study.replicates, study.seed, study.common_random_numbers, quoted(study.readouts));
+  text += statistics_section(study.comparisons);
   for (const Condition& condition : study.conditions) {
     text += fmt::format("\n[[conditions]]\nlabel = {}\n", quoted(condition.label));
     add_settings(condition.settings, text);

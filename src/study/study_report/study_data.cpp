@@ -5,7 +5,7 @@
 #include "report/run_page.hpp"
 #include "statistics/correlation.hpp"
 #include "study_plan/names.hpp"
-#include "study_plan/range.hpp"
+#include "study_plan/settings.hpp"
 #include "study_report/drawn_study.hpp"
 #include "study_report/measured_json.hpp"
 #include "study_report/run_json.hpp"

@@ -113,8 +113,6 @@ std::vector<Comparison> comparisons(const Study& study, const std::vector<Result
   return all;
 }
 
-std::string name(TestKind test) {
-  return test == TestKind::t ? "t" : test == TestKind::welch ? "welch" : "mann_whitney";
-}
+std::string name(TestKind test) { return test_names[static_cast<std::size_t>(test)]; }
 
 } // namespace matrigrate::study

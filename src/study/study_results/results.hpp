@@ -2,9 +2,9 @@
 
 #include "base/failure.hpp"
 #include "run/status.hpp"
-#include "study_plan/plan.hpp"
 #include "study_plan/study.hpp"
 
+#include <array>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -23,7 +23,9 @@ std::filesystem::path run_log(const std::filesystem::path& study_folder, const R
 /// A damaged one was done, but its files are no longer what they were: results() tells.
 enum class RunState { missing, unfinished, running, done, failed, interrupted, damaged };
 
-/// "missing", "unfinished", ...
+/// Their names, in their order.
+inline constexpr std::array<std::string_view, 7> run_states{"missing", "unfinished",  "running", "done",
+                                                            "failed",  "interrupted", "damaged"};
 std::string_view to_string(RunState state);
 
 /// How a run stands.
@@ -82,6 +84,9 @@ std::vector<double> readouts_of(const std::filesystem::path& run_folder);
 /// All runs, point by point. A run that is done but has a damaged table is `damaged`, with the reason and what helps.
 std::vector<Result> results(const Study& study, const std::vector<Run>& runs,
                             const std::filesystem::path& study_folder);
+
+/// Results, with those of `by` that have ended in the place of those of the same runs that are lost.
+std::vector<Result> replaced(std::vector<Result> results, const std::vector<Result>& by, bool (*lost)(const Result&));
 
 /// Results, with those that were kept elsewhere in the place of those that have not ended.
 std::vector<Result> with_kept(std::vector<Result> results, const std::vector<Result>& kept);

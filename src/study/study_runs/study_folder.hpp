@@ -1,6 +1,5 @@
 #pragma once
 
-#include "study_plan/plan.hpp"
 #include "study_plan/read_study.hpp"
 #include "study_plan/study.hpp"
 #include "study_results/results.hpp"

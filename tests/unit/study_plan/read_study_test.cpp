@@ -5,7 +5,6 @@
 #include "parameters/schema.hpp"
 #include "parameters/write.hpp"
 #include "study_plan/names.hpp"
-#include "study_plan/plan.hpp"
 #include "study_plan/study.hpp"
 
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "study_plan/plan.hpp"
 #include "study_plan/read_study.hpp"
+#include "study_plan/study.hpp"
 #include "study_results/results.hpp"
 
 #include <fmt/format.h>
