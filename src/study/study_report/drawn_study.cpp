@@ -1,17 +1,15 @@
 #include "study_report/drawn_study.hpp"
 
-#include "base/failure.hpp"
 #include "observe/displacement_statistics.hpp"
 #include "observe/readout_table.hpp"
 #include "study_plan/names.hpp"
 #include "study_report/run_json.hpp"
-#include "tables/csv.hpp"
+#include "study_results/read_results.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <cmath>
-#include <map>
 #include <string_view>
 #include <utility>
 
@@ -20,29 +18,6 @@ namespace matrigrate::study {
 namespace {
 
 using Json = nlohmann::ordered_json; // NaN is written as null
-using Rows = std::vector<std::vector<double>>;
-
-/// Numbers of the named columns by the label of the point and the replicate; the latter is empty in tables without.
-using RowsByRun = std::map<std::pair<std::string, std::string>, Rows>;
-
-RowsByRun rows_by_run(std::string_view csv, const std::vector<std::string_view>& columns) {
-  RowsByRun all;
-  if (csv.empty()) return all;
-  const store::CsvTable table = store::read_csv(csv);
-  const auto point = table.column("point");
-  const auto replicate = table.column("replicate");
-  std::vector<std::size_t> wanted;
-  for (const std::string_view column : columns) {
-    const auto found = table.column(column);
-    if (!found || !point) throw InputOutputError(fmt::format("a table of a study has no column {}", column));
-    wanted.push_back(*found);
-  }
-  for (const std::vector<std::string>& fields : table.rows) {
-    std::vector<double>& row = all[{fields[*point], replicate ? fields[*replicate] : ""}].emplace_back();
-    for (const std::size_t column : wanted) row.push_back(store::csv_number(fields[column]));
-  }
-  return all;
-}
 
 /// Lines of x and y, with null before a line of another cell; null if there are no rows.
 Json lines_json(const RowsByRun& all, const std::pair<std::string, std::string>& key) {
@@ -130,9 +105,7 @@ Json msd_json(const std::vector<MeanMsd>& means, const Json& place) {
 }
 
 Json drawn_study(const Study& study, const std::vector<Result>& results, const CurveTables& tables) {
-  const bool several = has_several_cells(study);
-  const RowsByRun paths = rows_by_run(tables.paths, several ? std::vector<std::string_view>{"x_um", "y_um", "cell"}
-                                                            : std::vector<std::string_view>{"x_um", "y_um"});
+  const RowsByRun paths = rows_by_run(tables.paths, {"x_um", "y_um"});
   const RowsByRun shapes = rows_by_run(tables.shapes, {"x_um", "y_um"});
   const RowsByRun adhesions = rows_by_run(tables.adhesions, {"f_adh_rel"});
   RowsByRun msds = rows_by_run(tables.msd, {"lag_s", "msd_um2", "sem_um2", "n_runs"});

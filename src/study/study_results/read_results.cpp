@@ -1,6 +1,7 @@
 #include "study_results/read_results.hpp"
 
 #include "base/failure.hpp"
+#include "base/file.hpp"
 #include "observe/readout_table.hpp"
 #include "tables/csv.hpp"
 
@@ -10,19 +11,11 @@
 #include <charconv>
 #include <cmath>
 #include <limits>
-#include <optional>
 #include <span>
 
 namespace matrigrate::study {
 
 namespace {
-
-std::optional<RunState> state_of(const std::string& word) {
-  for (const RunState state : {RunState::missing, RunState::unfinished, RunState::running, RunState::done,
-                               RunState::failed, RunState::interrupted, RunState::damaged})
-    if (word == to_string(state)) return state;
-  return std::nullopt;
-}
 
 /// A table of results, and all that is wrong with it.
 class Kept {
@@ -126,9 +119,11 @@ private:
   Result result() {
     Result r;
     r.run = {.point = 0, .replicate = whole_number("replicate"), .seed = whole_number("seed"), .hash = field("run")};
-    const auto status = state_of(field("status"));
-    if (!status) complain("status", fmt::format("\"{}\" is no status of a run", field("status")));
-    r.standing.status = status.value_or(RunState::missing);
+    const auto status = std::ranges::find(run_states, field("status"));
+    if (status != run_states.end())
+      r.standing.status = static_cast<RunState>(status - run_states.begin());
+    else
+      complain("status", fmt::format("\"{}\" is no status of a run", field("status")));
     r.standing.reason = field("reason");
     if (m_table.column("cause")) r.standing.cause = parse_failure_cause(field("cause"));
     r.standing.trajectory_hash = field("trajectory_hash");
@@ -158,12 +153,27 @@ private:
 
 } // namespace
 
-std::vector<Result> read_results(const Study& study, std::string_view csv, const std::string& name) {
-  try {
-    return Kept(study, store::read_csv(csv)).results();
-  } catch (const InputOutputError& error) {
-    throw InputOutputError(fmt::format("{}: {}", name, error.what()));
+RowsByRun rows_by_run(std::string_view csv, const std::vector<std::string_view>& columns) {
+  RowsByRun all;
+  if (csv.empty()) return all;
+  const store::CsvTable table = store::read_csv(csv);
+  const auto point = table.column("point"), replicate = table.column("replicate"), cell = table.column("cell");
+  std::vector<std::size_t> wanted;
+  for (const std::string_view column : columns) {
+    const auto found = table.column(column);
+    if (!found || !point) throw InputOutputError(fmt::format("a table of a study has no column {}", column));
+    wanted.push_back(*found);
   }
+  if (cell) wanted.push_back(*cell);
+  for (const std::vector<std::string>& fields : table.rows) {
+    std::vector<double>& row = all[{fields[*point], replicate ? fields[*replicate] : ""}].emplace_back();
+    for (const std::size_t column : wanted) row.push_back(store::csv_number(fields[column]));
+  }
+  return all;
+}
+
+std::vector<Result> read_results(const Study& study, std::string_view csv, const std::string& name) {
+  return naming(name, [&] { return Kept(study, store::read_csv(csv)).results(); });
 }
 
 } // namespace matrigrate::study

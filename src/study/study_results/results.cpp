@@ -141,24 +141,7 @@ std::vector<double> readouts_of(const std::filesystem::path& folder) {
   return values;
 }
 
-std::string_view to_string(RunState state) {
-  switch (state) {
-  case RunState::missing:
-    return "missing";
-  case RunState::unfinished:
-    return "unfinished";
-  case RunState::running:
-    return "running";
-  case RunState::done:
-    return "done";
-  case RunState::failed:
-    return "failed";
-  case RunState::damaged:
-    return "damaged";
-  default:
-    return "interrupted";
-  }
-}
+std::string_view to_string(RunState state) { return run_states[static_cast<std::size_t>(state)]; }
 
 std::filesystem::path run_folder(const std::filesystem::path& study_folder, const Run& run) {
   return study_folder / "runs" / run.hash;
@@ -269,13 +252,17 @@ std::string rim_text(const Study& study, const std::vector<Result>& results) {
       all, results.size(), fmt::join(points, "; "), larger_disc * radius, larger_disc);
 }
 
-std::vector<Result> with_kept(std::vector<Result> results, const std::vector<Result>& kept) {
-  for (const Result& r : kept) {
+std::vector<Result> replaced(std::vector<Result> results, const std::vector<Result>& by, bool (*lost)(const Result&)) {
+  for (const Result& r : by) {
     if (!r.standing.ended()) continue;
     for (Result& old : results)
-      if (old.run.point == r.run.point && old.run.replicate == r.run.replicate && !old.standing.ended()) old = r;
+      if (old.run.point == r.run.point && old.run.replicate == r.run.replicate && lost(old)) old = r;
   }
   return results;
+}
+
+std::vector<Result> with_kept(std::vector<Result> results, const std::vector<Result>& kept) {
+  return replaced(std::move(results), kept, [](const Result& r) { return !r.standing.ended(); });
 }
 
 std::vector<double> sample(const std::vector<Result>& results, std::size_t point, std::string_view readout) {
