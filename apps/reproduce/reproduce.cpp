@@ -5,7 +5,7 @@
 #include "apps/verbs.hpp"
 #include "base/failure.hpp"
 #include "base/process.hpp"
-#include "claims/study_claims.hpp"
+#include "claims/claims.hpp"
 #include "parameters/nearest.hpp"
 #include "run/folder_state.hpp"
 #include "run/run_record.hpp"

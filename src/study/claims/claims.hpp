@@ -1,6 +1,7 @@
 #pragma once
 
 #include "claims/judge.hpp"
+#include "study_runs/study_folder.hpp"
 
 #include <nlohmann/json_fwd.hpp>
 
@@ -38,6 +39,13 @@ struct JudgedClaim {
 };
 
 JudgedClaim judged_claim(const Claim& claim, const Evidence& evidence);
+
+/// The claims of this study and, of a shipped one, those of other shipped studies that need it, judged by its results
+/// and by those of the other studies they need, as far as these lie beside its folder.
+std::vector<JudgedClaim> claims_about(const StudyFolder& study, const std::vector<Result>& results);
+
+/// How this study differs from the shipped one, and what follows for the verdicts; "" if it does not differ.
+std::string claims_note(const Study& study);
 
 /// Why a claim does not hold, in a line; empty if it does.
 std::string why_not(const Finding& finding);

@@ -20,6 +20,7 @@ struct Column {
   const char* in_claims;
   const char* in_conditions;
   Json (*value)(const JudgedClaim& c);
+  bool of_second_edition = false; ///< of a claim that was judged by the second edition of the rules as well
 };
 
 constexpr Column columns[] = {
@@ -36,18 +37,14 @@ constexpr Column columns[] = {
      [](const JudgedClaim& c) -> Json { return c.in_larger_disc ? to_string(c.in_larger_disc->verdict) : ""; }},
     {"against", "against", nullptr, [](const JudgedClaim& c) -> Json { return c.finding.against; }},
     {"caveat", "caveat", "caveat", [](const JudgedClaim& c) -> Json { return c.caveat; }},
-};
-
-/// The same of a claim that was judged by the second edition of the rules as well.
-constexpr Column of_second_edition[] = {
     {"statistic_second_edition", nullptr, "statistic_second_edition",
-     [](const JudgedClaim& c) -> Json { return c.second_edition->conditions; }},
+     [](const JudgedClaim& c) -> Json { return c.second_edition->conditions; }, true},
     {"verdict_second_edition", "verdict_second_edition", "verdict_second_edition",
-     [](const JudgedClaim& c) -> Json { return to_string(c.second_edition->verdict); }},
+     [](const JudgedClaim& c) -> Json { return to_string(c.second_edition->verdict); }, true},
     {"why_not_second_edition", "why_not_second_edition", nullptr,
-     [](const JudgedClaim& c) -> Json { return why_not(*c.second_edition); }},
+     [](const JudgedClaim& c) -> Json { return why_not(*c.second_edition); }, true},
     {"against_second_edition", "against_second_edition", nullptr,
-     [](const JudgedClaim& c) -> Json { return c.second_edition->against; }},
+     [](const JudgedClaim& c) -> Json { return c.second_edition->against; }, true},
 };
 
 /// A line per claim. @param name  of a column in this table
@@ -56,15 +53,13 @@ std::string table(const std::vector<JudgedClaim>& claims, const char* Column::*n
   const auto line = [&](const auto& text_of) {
     std::vector<std::string> texts;
     for (const Column& column : columns)
-      if (column.*name != nullptr) texts.push_back(text_of(column, true));
-    for (const Column& column : of_second_edition)
-      if (editions && column.*name != nullptr) texts.push_back(text_of(column, false));
+      if (column.*name != nullptr && (editions || !column.of_second_edition)) texts.push_back(text_of(column));
     return store::csv_line({texts.begin(), texts.end()});
   };
-  std::string text = line([&](const Column& column, bool) -> std::string { return column.*name; });
+  std::string text = line([&](const Column& column) -> std::string { return column.*name; });
   for (const JudgedClaim& c : claims)
-    text += line([&](const Column& column, bool always) -> std::string {
-      if (!always && !c.second_edition) return "";
+    text += line([&](const Column& column) -> std::string {
+      if (column.of_second_edition && !c.second_edition) return "";
       const Json value = column.value(c);
       return value.is_array() ? joined(value) : value.get<std::string>();
     });
@@ -102,9 +97,8 @@ std::string claims_csv(const std::vector<JudgedClaim>& claims) { return table(cl
 
 nlohmann::ordered_json claim_json(const JudgedClaim& c) {
   Json json = Json::object();
-  for (const Column& column : columns) json[column.key] = column.value(c);
-  if (c.second_edition)
-    for (const Column& column : of_second_edition) json[column.key] = column.value(c);
+  for (const Column& column : columns)
+    if (c.second_edition || !column.of_second_edition) json[column.key] = column.value(c);
   return json;
 }
 

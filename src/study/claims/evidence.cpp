@@ -2,7 +2,6 @@
 
 #include "base/failure.hpp"
 #include "base/file.hpp"
-#include "claims/run_msd.hpp"
 #include "claims/shipped_studies.hpp"
 #include "run/provenance.hpp"
 #include "simulation/start.hpp"
@@ -13,18 +12,18 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <map>
 #include <utility>
 
 namespace matrigrate::study {
 
 namespace {
 
-bool crossed_itself(const Result& r) { return r.standing.cause == FailureCause::crossing; }
+constexpr std::size_t largest_table = std::size_t{1} << 28U;
 
 /// The results in the table NAME-results.csv of a folder; none if it is not there. They must be of the very runs of the
 /// study: the name of a run is a fingerprint of all parameters that decide on its results.
 std::vector<Result> kept_results(const StudyFolder& study, const std::string& folder, std::string_view name) {
-  constexpr std::size_t largest_table = std::size_t{1} << 28U;
   const std::filesystem::path file = std::filesystem::path(folder) / fmt::format("{}-results.csv", name);
   if (folder.empty() || !std::filesystem::exists(file)) return {};
   auto results = read_results(study.study, read_file(file, largest_table), file.string());
@@ -38,15 +37,6 @@ std::vector<Result> kept_results(const StudyFolder& study, const std::string& fo
                       "version of the program that names runs otherwise than this one, {}",
                       file.string(), r.run.hash, run::version_text()));
   return results;
-}
-
-/// Puts results that have ended in the place of those of the same runs that ended at the rim.
-void replace_at_rim(std::vector<Result>& results, const std::vector<Result>& by) {
-  for (const Result& r : by) {
-    if (!r.standing.ended()) continue;
-    for (Result& old : results)
-      if (old.run.point == r.run.point && old.run.replicate == r.run.replicate && ended_at_rim(old)) old = r;
-  }
 }
 
 /// The results of a study, after those of the wanted runs are computed that are neither in its folder nor kept.
@@ -89,9 +79,7 @@ std::vector<Result> in_larger_disc(const StudyFolder& study, const std::vector<R
           return again(r) && r.run.point == run.point && r.run.replicate == run.replicate;
         });
       });
-  std::vector<Result> all = results;
-  replace_at_rim(all, second);
-  return all;
+  return replaced(results, second, ended_at_rim);
 }
 
 /// Where the paths of a study may be: beside its runs, or kept.
@@ -123,12 +111,33 @@ void add_kept(ClaimEvidence& all, const std::string& name, const EvidenceOptions
   auto results = kept_results(study, options.from, name);
   if (results.empty()) return;
   const auto second = kept_results(second_of(study, name, options), options.from, larger_name(name));
-  auto larger = second.empty() ? std::vector<Result>() : results;
-  replace_at_rim(larger, second);
+  auto larger = second.empty() ? std::vector<Result>() : replaced(results, second, ended_at_rim);
   add(all, study.study, name, options, std::move(results), std::move(larger));
 }
 
 } // namespace
+
+MsdCurves run_msd(const Study& study, const std::vector<Result>& results,
+                  const std::vector<std::filesystem::path>& tables) {
+  constexpr double path_interval = 600.0; // of paths.csv [s]
+  RowsByRun all;
+  for (const std::filesystem::path& file : tables)
+    if (std::filesystem::exists(file))
+      naming(file, [&] { all.merge(rows_by_run(read_file(file, largest_table), {"t_s", "x_um", "y_um"})); });
+  MsdCurves curves;
+  for (const Result& r : results) {
+    std::map<double, std::vector<TrackRow>> paths; // of the cells
+    for (const std::vector<double>& row : all[{study.points[r.run.point].label, fmt::to_string(r.run.replicate)}]) {
+      TrackRow& at = paths[row.size() > 3 ? row[3] : 1.0].emplace_back();
+      at.t = row[0];
+      at.centre = {row[1], row[2]};
+    }
+    MsdCurves cells;
+    for (const auto& [cell, path] : paths) cells.push_back(mean_square_displacement(path, path_interval));
+    curves.push_back(mean_curve(cells));
+  }
+  return curves;
+}
 
 std::vector<std::string> studies_of(const std::vector<Claim>& claims) {
   std::vector<std::string> names;
@@ -190,7 +199,7 @@ std::string ends_text(const Ensemble& ensemble) {
   const auto count = [&](const auto& condition) { return std::ranges::count_if(ensemble.results, condition); };
   const auto finished = count([](const Result& r) { return r.standing.done(); });
   const auto rim = count(ended_at_rim);
-  const auto crossing = count(crossed_itself);
+  const auto crossing = count([](const Result& r) { return r.standing.cause == FailureCause::crossing; });
   const auto all = static_cast<std::ptrdiff_t>(ensemble.results.size());
   std::vector<std::string> ends;
   for (const auto& [n, how] : {std::pair(rim, "at the rim"), std::pair(crossing, "by crossing itself"),

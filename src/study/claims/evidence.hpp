@@ -1,7 +1,6 @@
 #pragma once
 
 #include "claims/claims.hpp"
-#include "study_runs/study_folder.hpp"
 
 #include <cstddef>
 #include <filesystem>
@@ -47,6 +46,14 @@ using Compute = std::function<std::vector<Result>(const StudyFolder& study, cons
 /// place.
 /// @throws ConfigurationError if an override is wrong
 Study shipped(std::string_view name, const EvidenceOptions& options);
+
+/// Mean square displacements of runs, in the order of the results; of several cells their mean. Empty of runs without a
+/// path. Test: tests/unit/claims/claims_test.cpp
+/// @param tables  files such as paths.csv: a run that stands in several counts as in the first; those that are not
+///                there are left out
+/// @throws InputOutputError if a table cannot be read
+MsdCurves run_msd(const Study& study, const std::vector<Result>& results,
+                  const std::vector<std::filesystem::path>& tables);
 
 /// Names of the studies that claims need, each once.
 std::vector<std::string> studies_of(const std::vector<Claim>& claims);

@@ -45,60 +45,6 @@ struct Finding {
   std::vector<std::string> against{};  ///< conditions whose direction comes out opposite by its whole interval
 };
 
-/// Gathers conditions; a claim holds if all of them are met, and is undecided where a group has fewer than two runs or
-/// the runs that there are tell too little. Its sentences name points by the values that vary.
-class Judge {
-public:
-  /// @param study  that conditions mean where they name none
-  Judge(const Evidence& evidence, std::string_view study) : m_evidence(evidence), m_study(study) {}
-
-  Judge& add(const ClaimCondition& c);
-
-  Finding finding() const;
-
-private:
-  /// The runs at one point of a study.
-  struct Group {
-    std::string study;
-    std::string label;
-    const Ensemble* ensemble = nullptr; ///< null where there is no such study, or no such point of it
-    std::size_t point = 0;
-  };
-  struct Condition {
-    std::string wanted;
-    std::string measured;
-    ClaimReading reading;
-  };
-  /// A mean that a condition is about.
-  struct Mean {
-    Group group;
-    std::string what;
-    std::string value; ///< with its interval
-  };
-
-  const Ensemble* ensemble(const std::string& study) const;
-  Group group(const PointName& name) const;
-  std::vector<double> values(const Group& g, std::string_view readout);
-  std::vector<double> column(const ClaimCondition& c, std::string_view readout) const;
-  MsdCurves curves(const Group& g);
-  void tell(const Group& g, const std::string& what, const statistics::Interval& mean, std::size_t n);
-  Group extreme(const ClaimCondition& c);
-  std::vector<double> excess(const Group& g, const ClaimCondition& c);
-  std::string filled(std::string_view sentence, const ClaimCondition& c, const Group& from, const Group& to) const;
-  std::string brief() const;
-  std::vector<Condition> corrected() const;
-
-  /// "speed, start to end (um/h)"
-  static std::string readout_words(std::string_view readout);
-
-  const Evidence& m_evidence;
-  std::string m_study;
-  std::vector<Mean> m_means;
-  std::vector<std::string> m_others; ///< correlations, and numbers over all runs of a study, in brief
-  std::vector<std::string> m_ours;
-  std::vector<Condition> m_conditions;
-};
-
 /// What becomes of a claim by the evidence, under an edition of the rules.
 Finding judged(const Claim& claim, const Evidence& evidence, ClaimEdition edition = ClaimEdition::third);
 

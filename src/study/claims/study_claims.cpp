@@ -1,7 +1,7 @@
-#include "claims/study_claims.hpp"
+#include "claims/claims.hpp"
 
 #include "base/failure.hpp"
-#include "claims/run_msd.hpp"
+#include "claims/evidence.hpp"
 #include "claims/shipped_studies.hpp"
 #include "parameters/read.hpp"
 #include "parameters/schema.hpp"
@@ -15,13 +15,13 @@ namespace matrigrate::study {
 
 namespace {
 
-bool same_points(const study::Study& a, const study::Study& b) {
+bool same_points(const Study& a, const Study& b) {
   return a.title == b.title && std::ranges::equal(a.points, b.points, [](const auto& x, const auto& y) {
            return x.label == y.label && x.settings == y.settings;
          });
 }
 
-const ReadStudy* shipped_study(const study::Study& study) {
+const ReadStudy* shipped_study(const Study& study) {
   for (const ReadStudy& shipped : read_shipped_studies())
     if (same_points(shipped.study, study)) return &shipped;
   return nullptr;
@@ -35,21 +35,21 @@ std::string own_name(const std::filesystem::path& folder) {
   return name.ends_with(ending) ? name.substr(0, name.size() - ending.size()) : name;
 }
 
-study::Ensemble ensemble(const StudyFolder& study, const std::vector<Result>& results) {
+Ensemble ensemble(const StudyFolder& study, const std::vector<Result>& results) {
   return {study.study, results, run_msd(study.study, results, {study.folder / "paths.csv"})};
 }
 
 /// The results of a study that lies beside another one; nothing if it does not.
 /// @param shipped  whether it must be the shipped one of its name
-std::optional<study::Ensemble> beside(const std::filesystem::path& folder, std::string_view name, bool shipped) {
+std::optional<Ensemble> beside(const std::filesystem::path& folder, std::string_view name, bool shipped) {
   const std::filesystem::path place = std::filesystem::absolute(folder).lexically_normal();
   const std::filesystem::path parent = place.has_filename() ? place.parent_path() : place.parent_path().parent_path();
   for (const std::string& sibling : {std::string(name), fmt::format("{}-study", name)}) {
     try {
-      const StudyFolder other = study::open_study(parent / sibling);
+      const StudyFolder other = open_study(parent / sibling);
       const ReadStudy* known = shipped ? shipped_study(other.study) : nullptr;
       if (!shipped || (known != nullptr && known->name == name))
-        return ensemble(other, study::results(other.study, other.runs, other.folder));
+        return ensemble(other, results(other.study, other.runs, other.folder));
     } catch (const InputOutputError&) { // is not there, or cannot be read: the claim stays undecided
     } catch (const ConfigurationError&) {
     }
@@ -67,10 +67,10 @@ struct Deviations {
   bool comparable = true; ///< the runs stand for the paper's all the same: other steps of the integrator
 };
 
-Deviations deviations(const study::Study& study) {
+Deviations deviations(const Study& study) {
   const ReadStudy* shipped = shipped_study(study);
   if (shipped == nullptr) return {};
-  study::Study published = shipped->study;
+  Study published = shipped->study;
   published.base = apply_overrides(published.base, {"run.integrator=reference"}); // the paper's
   Deviations found;
   if (study.replicates != published.replicates)
@@ -99,6 +99,9 @@ std::string rim_caveat(const Claim& claim, const Evidence& evidence) {
   if (lost == 0) return {};
   return fmt::format("{} of {} runs ended at the rim: means are of the slower cells", lost, all);
 }
+
+/// "not the paper's runs" if replicates or parameters other than those of the integrator are not the paper's; else "".
+std::string claims_caveat(const Study& study) { return deviations(study).comparable ? "" : "not the paper's runs"; }
 
 } // namespace
 
@@ -129,15 +132,11 @@ std::vector<JudgedClaim> claims_about(const StudyFolder& study, const std::vecto
   return judged;
 }
 
-std::string claims_note(const study::Study& study) {
+std::string claims_note(const Study& study) {
   const Deviations found = deviations(study);
   if (found.sentences.empty()) return {};
   return fmt::format("Not run as published: {}.{}", fmt::join(found.sentences, ", "),
                      found.comparable ? "" : " So these are no verdicts on the paper.");
-}
-
-std::string claims_caveat(const study::Study& study) {
-  return deviations(study).comparable ? "" : "not the paper's runs";
 }
 
 const std::vector<ReadStudy>& read_shipped_studies() {
@@ -153,15 +152,10 @@ const std::vector<ReadStudy>& read_shipped_studies() {
 
 LabelsOf other_studies(const std::filesystem::path& folder) {
   return [folder](const std::string& name) -> std::optional<std::vector<std::string>> {
-    const auto labels = [](const Study& study) {
-      std::vector<std::string> all;
-      for (const Point& point : study.points) all.push_back(point.label);
-      return all;
-    };
     const std::filesystem::path file = folder / (name + ".toml");
-    if (std::filesystem::exists(file)) return labels(read_study(file));
+    if (std::filesystem::exists(file)) return all_labels(read_study(file).points);
     for (const ReadStudy& shipped : read_shipped_studies())
-      if (shipped.name == name) return labels(shipped.study);
+      if (shipped.name == name) return all_labels(shipped.study.points);
     return {};
   };
 }

@@ -2,7 +2,7 @@
 
 #include "base/failure.hpp"
 #include "base/file.hpp"
-#include "claims/study_claims.hpp"
+#include "claims/claims.hpp"
 #include "report/run_page.hpp"
 #include "run/folder_state.hpp"
 #include "run/own_files.hpp"

@@ -1,9 +1,8 @@
 #include "base/failure.hpp"
 #include "base/file.hpp"
 #include "claims/claims.hpp"
-#include "claims/run_msd.hpp"
+#include "claims/evidence.hpp"
 #include "claims/shipped_studies.hpp"
-#include "claims/study_claims.hpp"
 #include "unit/study_plan/studies.hpp"
 
 #include <gtest/gtest.h>
@@ -206,7 +205,7 @@ TEST(Judge, TellsWhatComesOutInDirectionAlone) {
   EXPECT_EQ(verdict(between("leans", 1, 2, up) + far), Verdict::in_direction);
   EXPECT_EQ(verdict(between("leans", 2, 1, up) + far), Verdict::does_not_hold);
   EXPECT_EQ(verdict(at("below", 2, "bound = 2.2")), Verdict::in_direction) << "the interval reaches over the bound";
-  EXPECT_EQ(Judge(e, "s").finding().verdict, Verdict::undecided);
+  EXPECT_EQ(judged({.id = "A1", .study = "s"}, e).verdict, Verdict::undecided);
   EXPECT_EQ(finding(evidence(f, {{1.0}, {2.0}}), between("differs", 1, 2, up)).verdict, Verdict::undecided);
 }
 
@@ -289,7 +288,7 @@ TEST(Judge, IsUndecidedWithoutRuns) {
   EXPECT_EQ(finding(evidence(f, {{1.0}, {2.0, 3.0}}), between("differs", 1, 2, up)).verdict, Verdict::undecided);
   EXPECT_EQ(finding({}, between("same", 1, 2)).verdict, Verdict::undecided) << "no such study";
   EXPECT_EQ(finding({}, on("lowest_agrees", "value = 2, runs = 12")).verdict, Verdict::undecided);
-  EXPECT_EQ(Judge({}, "s").finding().verdict, Verdict::undecided) << "no condition";
+  EXPECT_EQ(judged({.id = "A1", .study = "s"}, {}).verdict, Verdict::undecided) << "no condition";
 }
 
 TEST(Judge, NamesAPointThatIsNotThere) {
