@@ -1,6 +1,6 @@
 #include "apps/run_output.hpp"
 #include "apps/shipped_pages.hpp"
-#include "apps/study/files.hpp"
+#include "apps/study/verbs.hpp"
 #include "apps/terminal/terminal.hpp"
 #include "apps/track_options.hpp"
 #include "apps/verbs.hpp"
@@ -8,7 +8,7 @@
 #include "base/file.hpp"
 #include "report/run_page.hpp"
 #include "run/folder_state.hpp"
-#include "study_report/measured_json.hpp"
+#include "study_report/drawn_study.hpp"
 #include "tables/cell_tracks.hpp"
 
 #include <CLI/CLI.hpp>

@@ -1,10 +1,9 @@
-#include "apps/study/files.hpp"
+#include "apps/study/verbs.hpp"
 
 #include "apps/shipped_pages.hpp"
 #include "apps/terminal/terminal.hpp"
 #include "apps/verbs.hpp"
 #include "study_plan/names.hpp"
-#include "study_report/played_runs.hpp"
 
 #include <fmt/format.h>
 
@@ -21,8 +20,8 @@ constexpr std::size_t most_shown = 30; // points or pairs that a person reads
 /// @param lost  runs of each point that ended at the rim: a column, if there are any
 std::string groups_text(const StudyFolder& study, const std::vector<study::ReadOutSample>& samples,
                         const std::string& readout, const std::vector<std::size_t>& lost) {
-  std::vector<std::vector<std::string>> rows{{"point", "n", "mean", "95 % interval"}};
-  rows[0][3] = fmt::format("{:.3g} % interval", 100.0 * (1.0 - study.study.comparisons.alpha));
+  std::vector<std::vector<std::string>> rows{
+      {"point", "n", "mean", fmt::format("{:.3g} % interval", 100.0 * (1.0 - study.study.comparisons.alpha))}};
   const bool any = std::ranges::any_of(lost, [](std::size_t n) { return n > 0; });
   if (any) rows[0].emplace_back("lost at the rim");
   for (const study::ReadOutSample& s : samples) {
@@ -36,13 +35,6 @@ std::string groups_text(const StudyFolder& study, const std::vector<study::ReadO
 
 /// Too few runs for a test: no p is shown.
 bool few_runs(const study::Comparison& c) { return std::min(c.sample_a.n, c.sample_b.n) < study::least_runs; }
-
-std::vector<std::size_t> lengths(const std::string& text) {
-  std::vector<std::size_t> all{0};
-  std::istringstream lines(text);
-  for (std::string line; std::getline(lines, line);) all.push_back(line.size());
-  return all;
-}
 
 /// Only pairs of which something can be said.
 std::string comparisons_text(const StudyFolder& study, const std::vector<study::Comparison>& comparisons,
@@ -63,7 +55,7 @@ std::string comparisons_text(const StudyFolder& study, const std::vector<study::
   if (rows.size() == 1) return {};
   constexpr std::size_t widest = 80;
   std::string text = aligned(rows, 2);
-  if (std::ranges::max(lengths(text)) > widest) { // each pair on a line of its own
+  if (text.find('\n') > widest) { // each pair on a line of its own
     std::vector<std::vector<std::string>> numbers;
     numbers.reserve(rows.size());
     for (const auto& row : rows) numbers.emplace_back(row.begin() + 2, row.end());
@@ -97,12 +89,6 @@ void write_study_report(const StudyFolder& study, Collected& collected, const st
     throw UsageError(fault);
   study::write_study_report(study, collected,
                             {.page_template = study_page_template(), .played = played, .tracks = tracks});
-}
-
-Collected collect(const StudyFolder& study) {
-  Collected c = collect_tables(study);
-  write_study_report(study, c);
-  return c;
 }
 
 std::string collected_text(const StudyFolder& study, const Collected& collected) {

@@ -21,7 +21,7 @@ using Json = nlohmann::ordered_json;
 constexpr std::size_t max_points = 60;  ///< that are listed for people
 constexpr std::size_t max_warnings = 5; ///< that are printed
 
-Json to_json(const study::StudyFolder& study, const study::StudyCost& c, int jobs) {
+Json to_json(const StudyFolder& study, const study::StudyCost& c, int jobs) {
   Json points = Json::array();
   for (std::size_t i = 0; i < study.study.points.size(); ++i) {
     Json settings = Json::object();
@@ -47,7 +47,7 @@ Json to_json(const study::StudyFolder& study, const study::StudyCost& c, int job
 
 } // namespace
 
-int print_plan(const study::StudyFolder& study, int jobs, bool json) {
+int print_plan(const StudyFolder& study, int jobs, bool json) {
   const study::StudyCost c = study::cost(study);
   if (json) {
     print(to_json(study, c, jobs).dump(2, ' ', false, Json::error_handler_t::replace) + "\n");

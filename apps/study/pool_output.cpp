@@ -1,4 +1,4 @@
-#include "apps/study/pool_output.hpp"
+#include "apps/study/verbs.hpp"
 
 #include "apps/terminal/progress.hpp"
 #include "apps/terminal/stop_signal.hpp"
@@ -62,38 +62,23 @@ private:
   Clock::time_point m_last = Clock::now();
 };
 
-/// Progress on the standard error; signals to this program stop the pool.
-class PoolDisplay : public study::PoolObserver {
-public:
-  explicit PoolDisplay(bool quiet) : m_quiet(quiet) {}
-
-  void begin(std::size_t runs, int jobs) override {
-    m_signal.emplace();
-    m_progress.emplace(std::max<std::size_t>(1, runs), jobs, m_quiet);
-  }
-  void end() override {
-    m_progress.reset();
-    m_signal.reset();
-  }
-  void show(std::size_t ended, std::size_t failed) override { m_progress->show(ended, failed); }
-  int stop_signal() override { return StopSignal::received(); }
-
-private:
-  bool m_quiet;
-  std::optional<StopSignal> m_signal;
-  std::optional<PoolProgress> m_progress;
-};
-
 } // namespace
 
-study::PoolOutcome compute(const study::StudyFolder& study, const std::vector<std::size_t>& runs,
-                           const ShownPoolOptions& options) {
-  PoolDisplay display(options.quiet);
-  return study::compute(
-      study, runs, {.jobs = options.jobs, .threads = options.threads, .retry_failed = options.retry_failed}, display);
+PoolOutcome compute(const StudyFolder& study, const std::vector<std::size_t>& runs, const study::PoolOptions& options,
+                    bool quiet) {
+  std::optional<StopSignal> signals;
+  std::optional<PoolProgress> progress;
+  return study::compute(study, runs, options, [&](std::size_t all, std::size_t ended, std::size_t failed) {
+    if (!progress) {
+      signals.emplace();
+      progress.emplace(all, options.jobs, quiet);
+    }
+    progress->show(ended, failed);
+    return StopSignal::received();
+  });
 }
 
-int exit_code(const study::PoolOutcome& outcome) {
+int exit_code(const PoolOutcome& outcome) {
   if (outcome.signal != 0) return outcome.signal == SIGINT ? interrupted : requeue;
   if (outcome.cannot_write) return input_output;
   if (outcome.ended_by_signal) return requeue;
@@ -104,7 +89,7 @@ int exit_code(const study::PoolOutcome& outcome) {
   return failed ? numerical : done;
 }
 
-std::string troubles_text(const study::StudyFolder& study, const std::vector<study::Trouble>& troubles) {
+std::string troubles_text(const StudyFolder& study, const std::vector<study::Trouble>& troubles) {
   constexpr std::size_t most = 100;
   std::string text;
   for (std::size_t i = 0; i < std::min(most, troubles.size()); ++i) {

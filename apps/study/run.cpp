@@ -1,12 +1,9 @@
-#include "apps/study/files.hpp"
-#include "apps/study/pool_output.hpp"
 #include "apps/study/verbs.hpp"
 #include "apps/terminal/progress.hpp"
 #include "apps/terminal/terminal.hpp"
 #include "apps/verbs.hpp"
 #include "base/failure.hpp"
 #include "base/text.hpp"
-#include "claims/shipped_studies.hpp"
 #include "parameters/closures.hpp"
 #include "run/estimate.hpp"
 #include "run/folder_lock.hpp"
@@ -32,30 +29,22 @@ using Json = nlohmann::ordered_json;
 
 void print_json(const Json& json) { print(json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n"); }
 
-Json to_json(const StudyFolder& study, const std::vector<study::Trouble>& troubles) {
+/// What is said of some runs: {run, label, replicate, and what `more` says}.
+template <class Told>
+Json to_json(const StudyFolder& study, const std::vector<Told>& all, Json (*more)(const Told& told)) {
   Json list = Json::array();
-  for (const study::Trouble& t : troubles) {
-    const study::Run& run = study.runs[t.run];
-    list.push_back({{"run", run.hash},
-                    {"label", study.study.points[run.point].label},
-                    {"replicate", run.replicate},
-                    {"status", to_string(t.status)},
-                    {"reason", t.reason}});
+  for (const Told& told : all) {
+    const study::Run& run = study.runs[told.run];
+    list.push_back({{"run", run.hash}, {"label", study.study.points[run.point].label}, {"replicate", run.replicate}});
+    list.back().update(more(told));
   }
   return list;
 }
 
-Json to_json(const StudyFolder& study, const std::vector<study::RunningRun>& running) {
-  Json list = Json::array();
-  for (const study::RunningRun& r : running) {
-    const study::Run& run = study.runs[r.run];
-    list.push_back({{"run", run.hash},
-                    {"label", study.study.points[run.point].label},
-                    {"replicate", run.replicate},
-                    {"share", r.share},
-                    {"left_s", r.left ? Json(*r.left) : Json()}});
-  }
-  return list;
+Json to_json(const StudyFolder& study, const std::vector<study::Trouble>& troubles) {
+  return to_json<study::Trouble>(study, troubles, [](const study::Trouble& t) -> Json {
+    return {{"status", to_string(t.status)}, {"reason", t.reason}};
+  });
 }
 
 std::string left_text(const std::optional<double>& left) {
@@ -72,10 +61,11 @@ std::string running_text(const StudyFolder& study, const study::StudyProgress& p
   return text;
 }
 
-std::vector<std::size_t> all_runs(const StudyFolder& study) {
-  std::vector<std::size_t> all(study.runs.size());
-  std::iota(all.begin(), all.end(), std::size_t{0});
-  return all;
+/// Writes all files of results of the study.
+Collected collect(const StudyFolder& study) {
+  Collected c = collect_tables(study);
+  write_study_report(study, c);
+  return c;
 }
 
 /// What makes means doubtful, each on a line of its own before the closing line: runs lost at the rim, runs of several
@@ -154,9 +144,10 @@ int run_study(const StudyOptions& options) {
        {closures_note(closures_of(study.study.base)), run::note_of_scenario(study.study.base)})
     if (!note.empty()) print_warning(note);
   tell_gone(options, study);
-  PoolOutcome outcome = compute(
-      study, all_runs(study),
-      {.jobs = job_count(options.jobs), .retry_failed = options.retry_failed, .quiet = options.quiet || options.json});
+  std::vector<std::size_t> all(study.runs.size());
+  std::iota(all.begin(), all.end(), std::size_t{0});
+  PoolOutcome outcome = compute(study, all, {.jobs = job_count(options.jobs), .retry_failed = options.retry_failed},
+                                options.quiet || options.json);
   std::vector<study::Result> results;
   std::string refusal;
   try {
@@ -191,7 +182,11 @@ int show_status(const StudyOptions& options) {
     print_json({{"folder", options.folder},
                 {"runs", study.runs.size()},
                 {"count", count},
-                {"running", to_json(study, progress.running)},
+                {"running",
+                 to_json<study::RunningRun>(study, progress.running,
+                                            [](const auto& r) -> Json {
+                                              return {{"share", r.share}, {"left_s", r.left ? Json(*r.left) : Json()}};
+                                            })},
                 {"left_s", progress.left ? Json(*progress.left) : Json()},
                 {"builds", programs_of(done_runs)},
                 {"not_done", to_json(study, troubles)}});

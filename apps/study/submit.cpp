@@ -128,7 +128,7 @@ int compute_task(const TaskOptions& options) {
     const auto found = by_hash.find(hash);
     if (task == options.index && found != by_hash.end()) mine.push_back(found->second);
   }
-  const PoolOutcome outcome = compute(study, mine, {.jobs = 1, .threads = slurm_threads(), .quiet = true});
+  const PoolOutcome outcome = compute(study, mine, {.threads = slurm_threads()}, true);
   print(troubles_text(study, outcome.troubles));
   print(
       fmt::format("task {}: {} of {} runs done\n", options.index, outcome.done_before + outcome.done_now, mine.size()));

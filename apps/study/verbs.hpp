@@ -1,24 +1,24 @@
 #pragma once
 
-#include "apps/study/pool_output.hpp"
 #include "base/process.hpp"
 #include "claims/shipped_studies.hpp"
+#include "study_report/study_files.hpp"
+#include "study_runs/pool.hpp"
 #include "study_runs/slurm_job.hpp"
-#include "study_runs/study_folder.hpp"
 
 #include <optional>
 #include <string>
 #include <vector>
 
+/// The verbs of `matrigrate study`, and what others share with them. Test: tests/apps/study_test.cpp
 namespace matrigrate::apps {
 
-// The verbs of `matrigrate study`, and what `matrigrate reproduce` shares with them.
-
+using study::collect_tables;
+using study::Collected;
+using study::gathered;
 using study::make_study_folder;
 using study::planned;
 using study::PoolOutcome;
-using study::shipped_studies;
-using study::ShippedStudy;
 using study::StudyFolder;
 
 struct StudyOptions {
@@ -59,6 +59,29 @@ struct TaskOptions {
 int compute_task(const TaskOptions& options);
 
 /// Points, runs and cost, in words or as JSON.
-int print_plan(const study::StudyFolder& study, int jobs, bool json);
+int print_plan(const StudyFolder& study, int jobs, bool json);
+
+/// Computes the given runs that are not done, as study::compute does; signals to this program stop it, and, unless
+/// `quiet`, the standard error shows how far it is.
+PoolOutcome compute(const StudyFolder& study, const std::vector<std::size_t>& runs, const study::PoolOptions& options,
+                    bool quiet);
+
+int exit_code(const PoolOutcome& outcome);
+
+/// Every run that is not done, with its reason: "failed  50 Pa, replicate 3 (0123...): reason".
+std::string troubles_text(const StudyFolder& study, const std::vector<study::Trouble>& troubles);
+
+/// Judges the claims about the study; writes claims.csv and report.html.
+/// @param played  names of the runs it is to play; none: typical ones
+/// @param tracks  measured, to be drawn besides those of the targets
+/// @throws UsageError if one of them is none of the study, or is not done
+void write_study_report(const StudyFolder& study, Collected& collected, const std::vector<std::string>& played = {},
+                        const std::vector<tracks::CellTrack>& tracks = {});
+
+/// Means of all points, what differs, and the verdicts on claims, for people.
+std::string collected_text(const StudyFolder& study, const Collected& collected);
+
+/// Verdicts in a table, a line per claim, and the bottom lines.
+std::string claims_text(const std::vector<study::JudgedClaim>& claims);
 
 } // namespace matrigrate::apps

@@ -7,7 +7,7 @@ import sys
 from pathlib import Path
 
 PHRASES = {
-    "7 to 9 times slower": ["README.md", "docs/performance.md", "apps/reproduce/reproduce.cpp"],
+    "7 to 9 times slower": ["README.md", "docs/performance.md", "apps/reproduce.cpp"],
 }
 
 

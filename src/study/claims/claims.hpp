@@ -56,11 +56,11 @@ std::string bottom_line(const std::vector<JudgedClaim>& claims);
 /// claims.csv: the table that people read, a line per claim.
 std::string claims_csv(const std::vector<JudgedClaim>& claims);
 
-/// For programs: {id, sentence, published, ours, statistic, verdict, caveat, kind, brief, why_not,
+/// For programs, of each claim {id, sentence, published, ours, statistic, verdict, caveat, kind, brief, why_not,
 /// verdict_in_larger_disc, against}, and of a claim whose rules the third edition changed {verdict_second_edition,
 /// why_not_second_edition, against_second_edition, statistic_second_edition}. The tables have the same, with these
 /// columns where a claim of theirs has them.
-nlohmann::ordered_json claim_json(const JudgedClaim& claim);
+nlohmann::ordered_json claims_json(const std::vector<JudgedClaim>& claims);
 
 /// Every mean and condition of each claim.
 std::string conditions_csv(const std::vector<JudgedClaim>& claims);

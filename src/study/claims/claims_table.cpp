@@ -95,11 +95,14 @@ std::string conditions_csv(const std::vector<JudgedClaim>& claims) { return tabl
 
 std::string claims_csv(const std::vector<JudgedClaim>& claims) { return table(claims, &Column::in_claims); }
 
-nlohmann::ordered_json claim_json(const JudgedClaim& c) {
-  Json json = Json::object();
-  for (const Column& column : columns)
-    if (c.second_edition || !column.of_second_edition) json[column.key] = column.value(c);
-  return json;
+Json claims_json(const std::vector<JudgedClaim>& claims) {
+  Json list = Json::array();
+  for (const JudgedClaim& c : claims) {
+    Json& json = list.emplace_back(Json::object());
+    for (const Column& column : columns)
+      if (c.second_edition || !column.of_second_edition) json[column.key] = column.value(c);
+  }
+  return list;
 }
 
 } // namespace matrigrate::study

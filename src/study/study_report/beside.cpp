@@ -5,6 +5,7 @@
 #include "report/run_page.hpp"
 #include "statistics/compare.hpp"
 #include "statistics/sample.hpp"
+#include "study_report/drawn_study.hpp"
 #include "study_runs/study_folder.hpp"
 #include "tables/cell_tracks.hpp"
 #include "tables/state_json.hpp"
@@ -97,11 +98,14 @@ tracks::Tracks seen(const tracks::Tracks& all, const Microscope& microscope, con
   return cells;
 }
 
+std::size_t column_of(std::string_view readout) {
+  const auto found = std::ranges::find(tracks::track_readouts, readout, &tracks::ReadoutMeaning::name);
+  return static_cast<std::size_t>(found - tracks::track_readouts.begin());
+}
+
 /// A read-out of each track of a group.
 std::vector<double> of_each(const tracks::TrackParts& parts, std::string_view readout) {
-  const auto r =
-      static_cast<std::size_t>(std::ranges::find(tracks::track_readouts, readout, &tracks::ReadoutMeaning::name)
-                               - tracks::track_readouts.begin());
+  const std::size_t r = column_of(readout);
   std::vector<double> values;
   for (std::size_t i = 0; i < parts.size(); ++i) values.push_back(parts.readouts(std::array{i}, 0.0)[r]);
   return values;
@@ -114,50 +118,25 @@ statistics::Interval median_interval(const std::vector<double>& x, std::uint64_t
   return statistics::percentile_interval(statistics::quantile(x, 0.5), draws, 1.0 - confidence);
 }
 
-/// Only what lies between finite bounds.
-Json interval_json(const statistics::Interval& found) {
-  return std::isfinite(found.low) && std::isfinite(found.high) ? Json{found.low, found.high} : Json();
-}
-
-Json group_json(std::string_view readout, std::size_t place, const std::vector<double>& x) {
-  const statistics::Moments moments = statistics::moments(x);
-  const statistics::Box box = statistics::box(x);
-  return {{"readout", readout},
-          {"point", Json::array({place})},
-          {"n", moments.n},
-          {"mean", moments.mean},
-          {"low_whisker", box.low_whisker},
-          {"low_quartile", box.low_quartile},
-          {"median", box.median},
-          {"median_interval", interval_json(median_interval(x, place + 1))},
-          {"high_quartile", box.high_quartile},
-          {"high_whisker", box.high_whisker}};
-}
-
 /// Each pair of groups in one read-out.
-Json tests_json(std::string_view readout, const std::vector<std::vector<double>>& samples) {
-  Json tests = Json::array();
-  std::vector<double> all_p;
+std::vector<Comparison> pairs_in(std::string_view readout, const std::vector<std::vector<double>>& samples) {
+  std::vector<Comparison> pairs;
+  std::vector<double> p;
   for (std::size_t b = 0; b < samples.size(); ++b)
     for (std::size_t a = 0; a < b; ++a) {
-      const statistics::TestResult found = statistics::mann_whitney_test(samples[a], samples[b]);
-      const statistics::Interval difference =
-          statistics::mean_difference(samples[a], samples[b], 1.0 - confidence, false);
-      all_p.push_back(found.p);
-      tests.push_back({{"readout", readout},
-                       {"a", Json::array({a})},
-                       {"b", Json::array({b})},
-                       {"test", "mann_whitney"},
-                       {"statistic", found.statistic},
-                       {"p", found.p},
-                       {"n_a", samples[a].size()},
-                       {"n_b", samples[b].size()},
-                       {"difference", difference.value},
-                       {"interval", interval_json(difference)}});
+      const std::vector<double>&x = samples[a], &y = samples[b];
+      pairs.push_back({.readout = std::string(readout),
+                       .a = a,
+                       .b = b,
+                       .sample_a = statistics::moments(x),
+                       .sample_b = statistics::moments(y),
+                       .difference = statistics::mean_difference(x, y, 1.0 - confidence, false),
+                       .test = statistics::mann_whitney_test(x, y)});
+      p.push_back(pairs.back().test.p);
     }
-  const std::vector<double> holm = statistics::holm(all_p);
-  for (std::size_t i = 0; i < holm.size(); ++i) tests[i]["p_holm"] = holm[i];
-  return tests;
+  const std::vector<double> holm = statistics::holm(p);
+  for (std::size_t i = 0; i < holm.size(); ++i) pairs[i].p_holm = holm[i];
+  return pairs;
 }
 
 /// Mean square displacement at lags to half the longest track, with the standard error over sets of tracks.
@@ -169,28 +148,25 @@ Json msd_of_group(const tracks::TrackParts& parts, double interval, std::size_t 
     const std::vector<double> one = parts.msd(statistics::resampled(parts.size(), place + 1, draw));
     for (std::size_t k = 0; k < lags && k < one.size(); ++k) draws[k].push_back(one[k]);
   }
-  Json json{{"point", Json::array({place})},
-            {"lag_min", Json::array()},
-            {"msd_um2", Json::array()},
-            {"sem_um2", Json::array()}};
+  std::vector<MeanMsd> means;
   const std::size_t step = std::max<std::size_t>(1, lags / 40); // as many points as can be told apart
-  for (std::size_t k = 0; k < lags; k += step) {
-    if (!std::isfinite(msd[k])) continue;
-    json["lag_min"].push_back(interval * static_cast<double>(k + 1) / 60.0);
-    json["msd_um2"].push_back(msd[k]);
-    json["sem_um2"].push_back(statistics::moments(statistics::finite(draws[k])).sd);
-  }
-  const auto slope = std::ranges::find(tracks::track_readouts, "msd_slope_long", &tracks::ReadoutMeaning::name);
-  json["slope"] = parts.readouts(0.0)[static_cast<std::size_t>(slope - tracks::track_readouts.begin())];
+  for (std::size_t k = 0; k < lags; k += step)
+    if (std::isfinite(msd[k]))
+      means.push_back({.lag = interval * static_cast<double>(k + 1),
+                       .mean = msd[k],
+                       .sem = statistics::moments(statistics::finite(draws[k])).sd});
+  Json json = msd_json(means, Json::array({place}));
+  json["slope"] = parts.readouts(0.0)[column_of("msd_slope_long")];
   return json;
 }
 
 Json readouts_shown() {
   Json list = Json::array();
-  for (const auto& [name, meaning] : shown) {
-    const auto found = std::ranges::find(tracks::track_readouts, name, &tracks::ReadoutMeaning::name);
-    list.push_back({{"name", name}, {"label", meaning}, {"meaning", meaning}, {"unit", found->unit}});
-  }
+  for (const auto& [name, meaning] : shown)
+    list.push_back({{"name", name},
+                    {"label", meaning},
+                    {"meaning", meaning},
+                    {"unit", tracks::track_readouts[column_of(name)].unit}});
   return list;
 }
 
@@ -275,9 +251,10 @@ std::vector<CellGroup> simulated_cells(const std::filesystem::path& folder, cons
       if (r.standing.done())
         add_cells(run_folder(folder, r.run), fmt::format("seed {}", r.run.seed), groups[r.run.point].tracks);
   }
-  std::erase_if(groups, [](const CellGroup& group) { return group.tracks.tracks.empty(); });
+  const auto is_empty = [](const CellGroup& group) { return group.tracks.tracks.empty(); };
+  std::erase_if(groups, is_empty);
   for (CellGroup& group : groups) group.tracks = seen(group.tracks, microscope, name + ": output.track_interval");
-  std::erase_if(groups, [](const CellGroup& group) { return group.tracks.tracks.empty(); });
+  std::erase_if(groups, is_empty);
   if (!groups.empty() && !notes.empty()) groups.front().tracks.notes.push_back(notes);
   if (groups.empty()) refuse(name, "has no run that is done and lasts three positions of the measured tracks");
   return groups;
@@ -314,22 +291,27 @@ void require_comparable(const std::vector<CellGroup>& groups) {
 Json beside_data(const std::vector<CellGroup>& groups, const Microscope& microscope) {
   Json labels = Json::array(), runs = Json::array(), msd = Json::array(), boxes = Json::array(), tests = Json::array();
   std::map<std::string_view, std::vector<std::vector<double>>> samples;
+  std::vector<Json> places;
   for (std::size_t place = 0; place < groups.size(); ++place) {
     const CellGroup& group = groups[place];
     const tracks::TrackParts parts(group.tracks);
     labels.push_back(group.label);
+    places.push_back(Json::array({place}));
     const std::size_t first = runs.size();
     for (const tracks::Track& track : group.tracks.tracks) runs.push_back(track_json(group, track, place));
     for (const auto& [name, meaning] : shown) {
       const std::vector<double> values = of_each(parts, name);
       for (std::size_t i = 0; i < values.size(); ++i) runs[first + i]["readouts"][std::string(name)] = values[i];
       samples[name].push_back(statistics::finite(values));
-      boxes.push_back(group_json(name, place, samples[name].back()));
+      const std::vector<double>& x = samples[name].back();
+      boxes.push_back(group_json(name, places.back(), statistics::moments(x), statistics::box(x)));
+      boxes.back()["median_interval"] = interval_json(median_interval(x, place + 1));
     }
     msd.push_back(msd_of_group(parts, group.tracks.interval, place));
   }
   for (const auto& [name, meaning] : shown)
-    for (const Json& test : tests_json(name, samples[name])) tests.push_back(test);
+    for (const Comparison& c : pairs_in(name, samples[name]))
+      tests.push_back(test_json(c, TestKind::mann_whitney, places));
   const Json axis{{"name", "cells"}, {"label", "cells"}, {"meaning", "cells"}, {"unit", ""}, {"values", labels}};
   std::vector<std::string> names, counts;
   for (const CellGroup& group : groups) {

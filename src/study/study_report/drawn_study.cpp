@@ -1,16 +1,23 @@
 #include "study_report/drawn_study.hpp"
 
+#include "base/failure.hpp"
+#include "base/file.hpp"
 #include "observe/displacement_statistics.hpp"
 #include "observe/readout_table.hpp"
+#include "store/checkpoint.hpp"
 #include "study_plan/names.hpp"
-#include "study_report/run_json.hpp"
 #include "study_results/read_results.hpp"
+#include "tables/cell_tracks.hpp"
+#include "tables/csv.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <string_view>
+#include <system_error>
 #include <utility>
 
 namespace matrigrate::study {
@@ -39,34 +46,137 @@ Json lines_json(const RowsByRun& all, const std::pair<std::string, std::string>&
 Json groups_json(const Study& study, const std::vector<Result>& results, const std::vector<Json>& place) {
   Json list = Json::array();
   for (const ReadOutSample& g : samples(study, results))
-    list.push_back({{"readout", g.readout},
-                    {"point", place[g.point]},
-                    {"n", g.moments.n},
-                    {"mean", g.moments.mean},
-                    {"low_whisker", g.box.low_whisker},
-                    {"low_quartile", g.box.low_quartile},
-                    {"median", g.box.median},
-                    {"high_quartile", g.box.high_quartile},
-                    {"high_whisker", g.box.high_whisker}});
+    list.push_back(group_json(g.readout, place[g.point], g.moments, g.box));
   return list;
 }
 
-Json test_json(const Study& study, const Comparison& c, const std::vector<Json>& place) {
-  const bool bounded = std::isfinite(c.difference.low) && std::isfinite(c.difference.high);
+constexpr std::size_t most_tracks = 200;
+constexpr std::size_t most_positions = 100;
+
+/// Index of the k-th of `chosen` out of n, the first and the last among them.
+std::size_t evenly(std::size_t k, std::size_t chosen, std::size_t n) {
+  return chosen < 2 ? 0 : k * (n - 1) / (chosen - 1);
+}
+
+double rounded(double um) { return std::round(100.0 * um) / 100.0; }
+
+void add_track(const tracks::CellTrack& track, Json& json) {
+  if (!json["t_s"].empty())
+    for (const char* column : {"t_s", "x_um", "y_um"}) json[column].push_back(nullptr);
+  const std::size_t n = std::min(track.t.size(), most_positions);
+  for (std::size_t k = 0; k < n; ++k) {
+    const std::size_t i = evenly(k, n, track.t.size());
+    json["t_s"].push_back(rounded(track.t[i]));
+    json["x_um"].push_back(rounded(track.x[i] - track.x[0]));
+    json["y_um"].push_back(rounded(track.y[i] - track.y[0]));
+  }
+}
+
+/// True if a target with these tracks holds at a condition.
+bool hold_at(const Study& study, const std::vector<tracks::CellTrack>* tracks, std::size_t condition) {
+  return std::ranges::any_of(study.targets, [&](const Target& t) {
+    return t.tracks.get() == tracks && (t.at.empty() || std::ranges::find(t.at, condition) != t.at.end());
+  });
+}
+
+constexpr std::size_t path_points = 100;
+
+/// Lines of several cells are one list, with null between them.
+void begin_line(Json& lines) {
+  for (const char* axis : {"x_um", "y_um"})
+    if (!lines[axis].empty()) lines[axis].push_back(nullptr);
+}
+
+/// At most path_points of each cell's path, the last one among them.
+Json path_json(const std::filesystem::path& folder) {
+  const std::vector<tracks::CellTrack> tracks = tracks::cell_tracks(folder);
+  if (tracks.empty()) return {};
+  Json path{{"x_um", Json::array()}, {"y_um", Json::array()}};
+  for (const tracks::CellTrack& track : tracks) {
+    begin_line(path);
+    const std::size_t n = std::min(track.x.size(), path_points);
+    for (std::size_t k = 0; k < n; ++k) {
+      const std::size_t i = evenly(k, n, track.x.size());
+      path["x_um"].push_back(track.x[i]);
+      path["y_um"].push_back(track.y[i]);
+    }
+  }
+  return path;
+}
+
+std::string_view status_of(const Standing& standing) {
+  if (standing.status == RunState::done || standing.status == RunState::failed) return to_string(standing.status);
+  return standing.status == RunState::unfinished ? "running" : "pending";
+}
+
+/// The cells where the run ended; nothing if its checkpoint was deleted or is damaged.
+Json outline_json(const std::filesystem::path& checkpoint) {
+  Json outline{{"x_um", Json::array()}, {"y_um", Json::array()}};
+  try {
+    const State end = store::read_checkpoint(checkpoint).state;
+    for (const Cell& cell : end.cells) {
+      begin_line(outline);
+      for (const Vec2& x : cell.cortex.x) {
+        outline["x_um"].push_back(rounded(x.x()));
+        outline["y_um"].push_back(rounded(x.y()));
+      }
+    }
+  } catch (const InputOutputError&) {
+    return {};
+  }
+  return outline;
+}
+
+/// The data of a run that do not need its folder.
+Json readouts_of_run(const Study& study, const Result& result, const Json& place) {
+  Json json{{"id", result.run.hash},
+            {"point", place},
+            {"replicate", result.run.replicate},
+            {"seed", result.run.seed},
+            {"status", status_of(result.standing)},
+            {"reason", result.standing.reason},
+            {"report", nullptr},
+            {"readouts", Json::object()},
+            {"path", nullptr},
+            {"outline", nullptr},
+            {"f_adh_rel", Json::array()}};
+  if (result.standing.done())
+    for (const std::string& name : study.readouts) json["readouts"][name] = result.readouts[readout_column(name)];
+  return json;
+}
+
+} // namespace
+
+Json group_json(std::string_view readout, const Json& place, const statistics::Moments& moments,
+                const statistics::Box& box) {
+  return {{"readout", readout},
+          {"point", place},
+          {"n", moments.n},
+          {"mean", moments.mean},
+          {"low_whisker", box.low_whisker},
+          {"low_quartile", box.low_quartile},
+          {"median", box.median},
+          {"high_quartile", box.high_quartile},
+          {"high_whisker", box.high_whisker}};
+}
+
+Json interval_json(const statistics::Interval& found) {
+  return std::isfinite(found.low) && std::isfinite(found.high) ? Json{found.low, found.high} : Json();
+}
+
+Json test_json(const Comparison& c, TestKind test, const std::vector<Json>& places) {
   return {{"readout", c.readout},
-          {"a", place[c.a]},
-          {"b", place[c.b]},
-          {"test", name(study.comparisons.test)},
+          {"a", places[c.a]},
+          {"b", places[c.b]},
+          {"test", name(test)},
           {"statistic", c.test.statistic},
           {"p", c.test.p},
           {"p_holm", c.p_holm},
           {"n_a", c.sample_a.n},
           {"n_b", c.sample_b.n},
           {"difference", c.difference.value},
-          {"interval", bounded ? Json{c.difference.low, c.difference.high} : Json()}};
+          {"interval", interval_json(c.difference)}};
 }
-
-} // namespace
 
 Json readouts_json(const Study& study) {
   Json list = Json::array();
@@ -84,7 +194,7 @@ Json readouts_json(const Study& study) {
 Json compared_json(const Study& study, const std::vector<Result>& results, const std::vector<Comparison>& comparisons) {
   const std::vector<Json> place = places(study);
   Json tests = Json::array();
-  for (const Comparison& c : comparisons) tests.push_back(test_json(study, c, place));
+  for (const Comparison& c : comparisons) tests.push_back(test_json(c, study.comparisons.test, place));
   return {{"axes", axes_json(study)},
           {"readouts", readouts_json(study)},
           {"groups", groups_json(study, results, place)},
@@ -130,6 +240,52 @@ Json drawn_study(const Study& study, const std::vector<Result>& results, const C
     if (!means.empty()) data["msd"].push_back(msd_json(means, place[point]));
   }
   return data;
+}
+
+Json measured_json(const std::vector<tracks::CellTrack>& tracks) {
+  if (tracks.empty()) return {};
+  Json json{{"total", tracks.size()}, {"t_s", Json::array()}, {"x_um", Json::array()}, {"y_um", Json::array()}};
+  const std::size_t n = std::min(tracks.size(), most_tracks);
+  for (std::size_t k = 0; k < n; ++k) add_track(tracks[evenly(k, n, tracks.size())], json);
+  return json;
+}
+
+std::vector<tracks::CellTrack> tracks_at(const Study& study, const std::vector<tracks::CellTrack>& further,
+                                         std::size_t point) {
+  std::vector<tracks::CellTrack> all = further;
+  for (const auto& set : measured_sets(study))
+    if (hold_at(study, set.get(), study.points[point].condition)) std::ranges::copy(*set, std::back_inserter(all));
+  return all;
+}
+
+Json measured_json(const Study& study, const std::vector<tracks::CellTrack>& further, const std::vector<Json>& places) {
+  Json list = Json::array();
+  if (!further.empty()) {
+    list.push_back(measured_json(further));
+    list.back()["points"] = places;
+  }
+  for (const auto& set : measured_sets(study)) {
+    list.push_back(measured_json(*set));
+    list.back()["points"] = Json::array();
+    for (std::size_t i = 0; i < places.size(); ++i)
+      if (hold_at(study, set.get(), study.points[i].condition)) list.back()["points"].push_back(places[i]);
+  }
+  return list;
+}
+
+Json run_json(const Study& study, const std::filesystem::path& study_folder, const Result& result, const Json& place) {
+  const std::filesystem::path folder = run_folder(study_folder, result.run);
+  Json json = readouts_of_run(study, result, place);
+  std::error_code error;
+  if (std::filesystem::exists(folder / "report.html", error))
+    json["report"] = (folder.lexically_relative(study_folder) / "report.html").generic_string();
+  if (!result.standing.done()) return json;
+  json["path"] = path_json(folder);
+  json["outline"] = outline_json(folder / store::checkpoint_name);
+  for (const double force :
+       store::csv_column(read_file(folder / "protrusions.csv", std::size_t{1} << 28U), "f_adh_rel"))
+    if (std::isfinite(force)) json["f_adh_rel"].push_back(force);
+  return json;
 }
 
 } // namespace matrigrate::study

@@ -3,14 +3,27 @@
 #include "study_report/run_curves.hpp"
 #include "study_results/comparison.hpp"
 
-#include <nlohmann/json_fwd.hpp>
+#include <nlohmann/json.hpp>
 
+#include <cstddef>
+#include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
 
 /// What pages draw of a study, as viewer/src/study/contract.ts describes it. Test:
 /// tests/unit/study_report/study_report_test.cpp
 namespace matrigrate::study {
+
+/// A sample that is compared, with the numbers of groups.csv.   @param place  of its point on the axes
+nlohmann::ordered_json group_json(std::string_view readout, const nlohmann::ordered_json& place,
+                                  const statistics::Moments& moments, const statistics::Box& box);
+
+/// [low, high]; null unless both are finite.
+nlohmann::ordered_json interval_json(const statistics::Interval& found);
+
+/// Two points that were compared.   @param places  of all points on the axes
+nlohmann::ordered_json test_json(const Comparison& c, TestKind test, const std::vector<nlohmann::ordered_json>& places);
 
 /// The read-outs that a study compares: [{name, label, meaning, unit}].
 nlohmann::ordered_json readouts_json(const Study& study);
@@ -21,6 +34,27 @@ nlohmann::ordered_json compared_json(const Study& study, const std::vector<Resul
 
 /// A mean square displacement: {point, lag_min, msd_um2, sem_um2, slope}.
 nlohmann::ordered_json msd_json(const std::vector<MeanMsd>& means, const nlohmann::ordered_json& place);
+
+/// Measured tracks as pages draw them over simulated ones (MeasuredTracks of viewer/src/contract.ts), from a common
+/// origin and from time 0: of more than 200 as many, of each at most 100 positions, evenly chosen.
+/// @return null without tracks
+nlohmann::ordered_json measured_json(const std::vector<tracks::CellTrack>& tracks);
+
+/// The tracks of the targets that hold at a point, and further ones.
+std::vector<tracks::CellTrack> tracks_at(const Study& study, const std::vector<tracks::CellTrack>& further,
+                                         std::size_t point);
+
+/// The tracks of each file that targets name, and further ones, with the places of the points that they belong to.
+/// @param places  of the points in the grid of the page
+nlohmann::ordered_json measured_json(const Study& study, const std::vector<tracks::CellTrack>& further,
+                                     const std::vector<nlohmann::ordered_json>& places);
+
+/// A run as the page of a study takes it (viewer/src/study/contract.ts): how it stands, its read-outs, path and outline
+/// at the end.
+/// @param place  of its point on the axes
+/// @throws InputOutputError if a table of a run that is done cannot be read
+nlohmann::ordered_json run_json(const Study& study, const std::filesystem::path& study_folder, const Result& result,
+                                const nlohmann::ordered_json& place);
 
 /// Texts of the tables of run_curves.hpp; empty for a missing table.
 struct CurveTables {

@@ -1,9 +1,8 @@
-#include "study_report/played_runs.hpp"
+#include "study_report/study_data.hpp"
 
 #include "base/failure.hpp"
 #include "run/finished_run.hpp"
 #include "study_report/drawn_study.hpp"
-#include "study_report/measured_json.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -11,7 +10,6 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
-#include <stdexcept>
 
 namespace matrigrate::study {
 
@@ -54,13 +52,6 @@ const Result* find(const std::vector<Result>& results, const std::string& id) {
   return found == results.end() ? nullptr : &*found;
 }
 
-std::vector<Choice> asked_for(const std::vector<Result>& results, const std::vector<std::string>& wanted) {
-  if (const std::string fault = fault_of_wanted(results, wanted); !fault.empty()) throw std::invalid_argument(fault);
-  std::vector<Choice> chosen;
-  for (const std::string& id : wanted) chosen.push_back({find(results, id), "chosen"});
-  return chosen;
-}
-
 /// Every `stride`-th frame, and the last one.
 void thin(observe::Film& film, std::size_t stride) {
   std::vector<observe::Frame> kept;
@@ -86,11 +77,13 @@ std::string fault_of_wanted(const std::vector<Result>& results, const std::vecto
   return {};
 }
 
-std::vector<PlayedRun> played_runs(const StudyFolder& study, const std::vector<Result>& results,
+nlohmann::ordered_json played_runs(const StudyFolder& study, const std::vector<Result>& results,
                                    const std::vector<std::string>& wanted,
                                    const std::vector<tracks::CellTrack>& tracks) {
-  const std::vector<Choice> chosen = wanted.empty() ? typical_ones(study, results) : asked_for(results, wanted);
-  std::vector<PlayedRun> played;
+  std::vector<Choice> chosen;
+  if (wanted.empty()) chosen = typical_ones(study, results);
+  for (const std::string& id : wanted) chosen.push_back({find(results, id), "chosen"});
+  nlohmann::ordered_json played = nlohmann::ordered_json::array();
   std::size_t stride = 1;
   for (const auto& [result, why] : chosen) {
     try {
@@ -101,7 +94,9 @@ std::vector<PlayedRun> played_runs(const StudyFolder& study, const std::vector<R
         if (stride > 1) page = page_of(folder, stride);
       }
       page["measured"] = measured_json(tracks_at(study.study, tracks, result->run.point));
-      played.push_back({result->run.hash, fmt::format("{}: {}", title_of(study, result->run), why), std::move(page)});
+      played.push_back({{"id", result->run.hash},
+                        {"label", fmt::format("{}: {}", title_of(study, result->run), why)},
+                        {"run", std::move(page)}});
     } catch (const InputOutputError&) { // its checkpoint or its frames were deleted
       if (!wanted.empty()) throw;
     }

@@ -7,8 +7,6 @@
 #include "study_plan/names.hpp"
 #include "study_plan/settings.hpp"
 #include "study_report/drawn_study.hpp"
-#include "study_report/measured_json.hpp"
-#include "study_report/run_json.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -82,9 +80,7 @@ Json scatter_json(const StudyReport& report) {
   std::size_t next = 0;
   for (Json& factor : factors)
     for (Json& c : factor["correlations"]) c["p_holm"] = holm[next++];
-  Json points = Json::array();
-  for (const Json& place : places(report.study)) points.push_back(place);
-  return {{"points", points}, {"factors", factors}};
+  return {{"points", places(report.study)}, {"factors", factors}};
 }
 
 /// What was measured, with its error; "" of no condition.
@@ -99,12 +95,6 @@ Json targets_json(const Study& study) {
                     {"error", t.error},
                     {"at", fmt::format("{}", fmt::join(at, ", "))}});
   }
-  return list;
-}
-
-Json claims_json(const std::vector<JudgedClaim>& claims) {
-  Json list = Json::array();
-  for (const JudgedClaim& c : claims) list.push_back(claim_json(c));
   return list;
 }
 
@@ -136,12 +126,6 @@ Json facts_json(const StudyReport& report) {
   return facts;
 }
 
-Json players_json(const std::vector<PlayedRun>& played) {
-  Json list = Json::array();
-  for (const PlayedRun& run : played) list.push_back({{"id", run.id}, {"label", run.label}, {"run", run.page}});
-  return list;
-}
-
 /// "Speed, start to end (v_migr_abs)"; the label alone of a read-out without words.
 std::string named(const Json& readout) {
   std::string label = readout.at("label");
@@ -151,8 +135,8 @@ std::string named(const Json& readout) {
   return fmt::format("{} ({})", meaning, label);
 }
 
-} // namespace
-
+/// What came out of the first read-out, in a sentence: its extremes, and how many comparisons are significant, if any
+/// were wanted.
 std::string result_sentence(const StudyReport& report) {
   if (report.study.readouts.empty()) return {};
   const Json readout = readouts_json(report.study).at(0);
@@ -160,20 +144,19 @@ std::string result_sentence(const StudyReport& report) {
   std::erase_if(defined, [&](const ReadOutSample& s) { return readout.at("name") != s.readout || s.moments.n == 0; });
   const std::string label = named(readout);
   if (defined.empty()) return fmt::format("{}: no run has a value yet.", label);
+  std::string unit = readout.at("unit");
+  if (!unit.empty()) unit = " " + unit;
   const auto value = [&](const ReadOutSample& s) {
-    const std::string unit = readout.at("unit");
-    return fmt::format("{:.3g}{} (mean of {} run{}) at {}", s.moments.mean, unit.empty() ? "" : " " + unit, s.moments.n,
+    return fmt::format("{:.3g}{} (mean of {} run{}) at {}", s.moments.mean, unit, s.moments.n,
                        s.moments.n == 1 ? "" : "s", point_text(report.study, s.point));
   };
   const auto [low, high] = std::ranges::minmax_element(defined, {}, [](const auto& s) { return s.moments.mean; });
   if (defined.size() == 1) return fmt::format("{} is {}.", label, value(*low));
-  if (std::min(low->moments.n, high->moments.n) < least_runs) {
-    const std::string unit = readout.at("unit");
+  if (std::min(low->moments.n, high->moments.n) < least_runs)
     return fmt::format(
         "{} goes from {:.3g} to {:.3g}{} over {} points; of fewer than {} runs none is called the lowest "
         "or the highest.",
-        label, low->moments.mean, high->moments.mean, unit.empty() ? "" : " " + unit, defined.size(), least_runs);
-  }
+        label, low->moments.mean, high->moments.mean, unit, defined.size(), least_runs);
   std::size_t tested = 0;
   std::size_t significant = 0;
   for (const Comparison& c : report.comparisons) {
@@ -182,14 +165,16 @@ std::string result_sentence(const StudyReport& report) {
     ++tested;
     if (c.p_holm < report.study.comparisons.alpha) ++significant;
   }
-  if (report.study.comparisons.pairs == Pairs::none)
-    return fmt::format("{} is lowest, {}, and highest, {}.", label, value(*low), value(*high));
-  return fmt::format("{} is lowest, {}, and highest, {}; ", label, value(*low), value(*high))
+  const std::string extremes = fmt::format("{} is lowest, {}, and highest, {}", label, value(*low), value(*high));
+  if (report.study.comparisons.pairs == Pairs::none) return extremes + ".";
+  return extremes + "; "
          + (tested == 0
                 ? fmt::format("no comparison has {} runs at both points.", least_runs)
                 : fmt::format("{} of {} comparisons {} significant (p < {:.3g} after Holm's correction).", significant,
                               tested, significant == 1 ? "is" : "are", report.study.comparisons.alpha));
 }
+
+} // namespace
 
 Json study_data(const StudyReport& report) {
   const std::vector<Json> place = places(report.study);
@@ -215,7 +200,7 @@ Json study_data(const StudyReport& report) {
             {"claims", claims_json(report.claims)},
             {"claims_note", report.claims_note},
             {"targets", targets_json(report.study)},
-            {"players", players_json(report.played)},
+            {"players", report.played},
             {"measured", measured_json(report.study, report.tracks, place)},
             {"provenance", report.provenance},
             {"citation", report::citation()}};

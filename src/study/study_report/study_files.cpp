@@ -8,7 +8,6 @@
 #include "run/own_files.hpp"
 #include "run/provenance.hpp"
 #include "run/run_record.hpp"
-#include "study_report/played_runs.hpp"
 #include "study_report/run_curves.hpp"
 #include "tables/csv.hpp"
 

@@ -25,7 +25,7 @@ struct Comparison {
   statistics::Interval difference; ///< of the means, b minus a, in the unit of the read-out
   statistics::TestResult test;     ///< the one that the study names
   double p_holm = 0.0;             ///< corrected over all pairs of this read-out
-  statistics::Interval g;          ///< effect size of Hedges, with its interval
+  statistics::Interval g{};        ///< effect size of Hedges, with its interval
   double detectable = 0.0;         ///< smallest difference that t_test finds with a power of 80 %, in the unit
 };
 

@@ -57,27 +57,18 @@ struct Running {
   Child child;
 };
 
-/// Tells the observer when the pool begins and ends.
-class Watch {
-public:
-  Watch(PoolObserver& observer, std::size_t runs, int jobs) : m_observer(observer) { m_observer.begin(runs, jobs); }
-  Watch(const Watch&) = delete;
-  Watch& operator=(const Watch&) = delete;
-  ~Watch() { m_observer.end(); }
-
-private:
-  PoolObserver& m_observer;
-};
-
 class Pool {
 public:
-  Pool(const StudyFolder& study, const PoolOptions& options, PoolObserver& observer)
-      : m_study(study), m_options(options), m_observer(observer) {}
+  Pool(const StudyFolder& study, const PoolOptions& options, const PoolWatch& watch)
+      : m_study(study), m_options(options), m_watch(watch) {}
 
   PoolOutcome compute(const std::vector<std::size_t>& runs) {
     const std::vector<std::size_t> open = sorted_out(runs);
-    if (!open.empty()) m_threads = threads_of_each(open.size());
-    const Watch watch(m_observer, open.size(), m_options.jobs);
+    const auto look = [&] { m_outcome.signal = m_watch(open.size(), m_outcome.done_now + m_failed_now, m_failed_now); };
+    if (!open.empty()) {
+      m_threads = threads_of_each(open.size());
+      look();
+    }
     std::size_t next = 0;
     while (!m_running.empty() || (next < open.size() && !stopping())) {
       while (next < open.size() && !stopping() && std::ssize(m_running) < m_options.jobs) start(open[next++]);
@@ -86,9 +77,9 @@ public:
         if (code) see_end(running, *code);
         return code.has_value();
       });
-      m_outcome.signal = m_observer.stop_signal();
-      if (stopping()) pass_on();
-      m_observer.show(m_outcome.done_now + m_failed_now, m_failed_now);
+      look();
+      if (stopping())
+        for (Running& running : m_running) running.child.pass_on(m_outcome.signal != 0 ? m_outcome.signal : SIGTERM);
       std::this_thread::sleep_for(5ms);
     }
     for (; next < open.size(); ++next) note(open[next], RunState::missing, "not started");
@@ -150,22 +141,17 @@ private:
     const bool broken = unwritten && run::has_only_broken_checkpoints(run_folder(m_study.folder, run));
     if (unwritten && !broken) m_outcome.cannot_write = true;
     if (by_signal && !stopping()) m_outcome.ended_by_signal = true;
-    std::string reason = code > 128 && !interrupted ? fmt::format("ended by signal {}{}", code - 128,
-                                                                  code == 128 + SIGKILL ? "; too little memory?" : "")
-                         : broken                   ? std::string()
-                                                    : s.reason;
+    std::string reason = broken ? std::string() : s.reason;
+    if (code > 128 && !interrupted)
+      reason = fmt::format("ended by signal {}{}", code - 128, code == 128 + SIGKILL ? "; too little memory?" : "");
     if (reason.empty())
       reason = said.empty() ? fmt::format("ended with exit code {}", code) : said.substr(0, said.find('\n'));
     note(running.run, by_signal ? RunState::interrupted : RunState::failed, std::move(reason));
   }
 
-  void pass_on() {
-    for (Running& running : m_running) running.child.pass_on(m_outcome.signal != 0 ? m_outcome.signal : SIGTERM);
-  }
-
   const StudyFolder& m_study;
   PoolOptions m_options;
-  PoolObserver& m_observer;
+  const PoolWatch& m_watch;
   PoolOutcome m_outcome;
   std::size_t m_failed_now = 0;
   int m_threads = 1;
@@ -175,8 +161,8 @@ private:
 } // namespace
 
 PoolOutcome compute(const StudyFolder& study, const std::vector<std::size_t>& runs, const PoolOptions& options,
-                    PoolObserver& observer) {
-  return Pool(study, options, observer).compute(runs);
+                    const PoolWatch& watch) {
+  return Pool(study, options, watch).compute(runs);
 }
 
 } // namespace matrigrate::study

@@ -3,6 +3,7 @@
 #include "study_runs/study_folder.hpp"
 
 #include <cstddef>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -31,31 +32,14 @@ struct PoolOutcome {
   bool ended_by_signal = false; ///< a run was ended by a signal that the pool did not pass on
 };
 
-/// Follows a pool from outside. The library itself prints nothing.
-class PoolObserver {
-public:
-  PoolObserver() = default;
-  PoolObserver(const PoolObserver&) = delete;
-  PoolObserver& operator=(const PoolObserver&) = delete;
-  virtual ~PoolObserver() = default;
-
-  /// The first runs are about to be started.
-  /// @param runs  that are to be computed   @param jobs  at a time
-  virtual void begin(std::size_t /*runs*/, int /*jobs*/) {}
-  /// The last run has ended, for whatever reason.
-  virtual void end() {}
-
-  /// Many times a second.
-  /// @param ended  runs that have ended   @param failed  those of them that are not done
-  virtual void show(std::size_t /*ended*/, std::size_t /*failed*/) {}
-
-  /// Called as often. @return a signal that is passed on to the runs and stops the pool, or 0
-  virtual int stop_signal() { return 0; }
-};
+/// Follows a pool from outside: called before the first run is started, and then many times a second.
+/// @param runs  that are to be computed   @param ended  of them   @param failed  those of them that are not done
+/// @return a signal that is passed on to the runs and stops the pool, or 0
+using PoolWatch = std::function<int(std::size_t runs, std::size_t ended, std::size_t failed)>;
 
 /// Computes the given runs that are not done, in their order. A run that fails does not stop the others. A run that
-/// cannot write its files stops them, and so does a signal that the observer returns. Test: tests/apps/study_test.cpp
+/// cannot write its files stops them, and so does a signal that the watch returns. Test: tests/apps/study_test.cpp
 PoolOutcome compute(const StudyFolder& study, const std::vector<std::size_t>& runs, const PoolOptions& options,
-                    PoolObserver& observer);
+                    const PoolWatch& watch);
 
 } // namespace matrigrate::study

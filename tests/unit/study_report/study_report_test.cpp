@@ -5,7 +5,6 @@
 #include "store/checkpoint.hpp"
 #include "study_plan/names.hpp"
 #include "study_report/drawn_study.hpp"
-#include "study_report/measured_json.hpp"
 #include "study_report/run_curves.hpp"
 #include "study_report/study_data.hpp"
 #include "tables/csv.hpp"
@@ -378,7 +377,7 @@ TEST(StudyData, HoldsClaimsAndPlayedRuns) {
                   .provenance = "commit",
                   .claims = {{"A1", ClaimKind::predicted, "rises", "0.5", finding, {}, {}, "not the paper's runs"}},
                   .claims_note = "Not run as published.",
-                  .played = {{"0", "number 1", {{"format", "matrigrate-run"}}}}});
+                  .played = Json::parse(R"([{"id": "0", "label": "number 1", "run": {"format": "matrigrate-run"}}])")});
   const auto& claim = data.at("claims").at(0);
   EXPECT_EQ(claim.at("verdict"), "does not hold");
   EXPECT_EQ(claim.at("published"), "0.5");

@@ -1,12 +1,11 @@
-#include "apps/reproduce/output.hpp"
-#include "apps/reproduce/runs.hpp"
 #include "apps/shipped_pages.hpp"
+#include "apps/study/verbs.hpp"
 #include "apps/terminal/terminal.hpp"
 #include "apps/verbs.hpp"
 #include "base/failure.hpp"
-#include "base/process.hpp"
-#include "claims/claims.hpp"
+#include "claims/evidence.hpp"
 #include "parameters/nearest.hpp"
+#include "run/folder_lock.hpp"
 #include "run/folder_state.hpp"
 #include "run/run_record.hpp"
 #include "simulation/step_limits.hpp"
@@ -14,15 +13,101 @@
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <csignal>
 #include <memory>
+#include <optional>
 #include <utility>
 
 namespace matrigrate::apps {
 
 namespace {
+
+/// What `matrigrate reproduce` was asked for.
+struct ReproduceOptions : study::EvidenceOptions {
+  int jobs = 0;
+  bool json = false;
+  bool quiet = false;
+  std::string command; ///< as it was typed
+};
+
+/// A signal ended the work.
+struct Stopped {
+  int signal;
+};
+
+/// Studies with their tables, whose pages come last: their claims may need several studies.
+using Tables = std::vector<std::pair<StudyFolder, Collected>>;
+
+/// Computes runs of a study.
+/// @throws Stopped after a signal
+/// @throws InputOutputError if a run cannot write its files
+void compute_missing(const StudyFolder& study, const std::vector<std::size_t>& runs, const ReproduceOptions& options) {
+  make_study_folder(study);
+  const FolderLock lock(study.folder, FolderLock::Kind::alone);
+  write_study(study);
+  const bool quiet = options.quiet || options.json;
+  if (!quiet)
+    print_error(fmt::format("{}: {} points x {} replicates\n", study.study.title, study.study.points.size(),
+                            study.study.replicates));
+  const PoolOutcome outcome = apps::compute(study, runs, {.jobs = job_count(options.jobs)}, quiet);
+  if (outcome.signal != 0) throw Stopped{outcome.signal};
+  const std::string troubles = troubles_text(study, outcome.troubles);
+  if (!troubles.empty()) print_error(troubles);
+  if (outcome.cannot_write)
+    throw InputOutputError(fmt::format("{}: a run could not write its files", study.folder.string()));
+}
+
+/// As study::Compute asks for.   @throws as compute_missing
+std::vector<study::Result> computed(const StudyFolder& study, const std::vector<std::size_t>& runs,
+                                    const std::vector<study::Result>& kept, const ReproduceOptions& options,
+                                    Tables& all) {
+  std::optional<Stopped> stopped;
+  try {
+    compute_missing(study, runs, options);
+  } catch (const Stopped& by) { // the tables tell how far it came
+    stopped = by;
+  }
+  Collected tables = collect_tables(study, kept);
+  auto results = study::with_kept(tables.results, kept);
+  all.emplace_back(study, std::move(tables));
+  if (stopped) throw *stopped;
+  return results;
+}
+
+Colour colour_of(study::Verdict verdict) {
+  return verdict == study::Verdict::holds           ? Colour::good
+         : verdict == study::Verdict::does_not_hold ? Colour::bad
+                                                    : Colour::warning;
+}
+
+/// The table for people. Where runs are not the paper's, that stands beside the verdict.
+std::string reproduction_text(const std::vector<study::JudgedClaim>& rows) {
+  std::string text;
+  for (const study::JudgedClaim& row : rows) {
+    text += fmt::format("{:<4}{}{}\n    {}\n", row.id,
+                        coloured(to_string(row.finding.verdict), colour_of(row.finding.verdict), Stream::out),
+                        row.caveat.empty() ? "" : fmt::format(" ({})", row.caveat), row.sentence);
+    if (!row.published.empty()) text += fmt::format("    published: {}\n", row.published);
+    for (const std::string& line : row.finding.ours) text += fmt::format("    ours: {}\n", line);
+    for (const std::string& line : row.finding.conditions) text += fmt::format("      {}\n", line);
+    if (row.second_edition)
+      text += fmt::format("    by the second edition of the rules: {}\n", to_string(row.second_edition->verdict));
+    if (row.in_larger_disc)
+      text +=
+          fmt::format("    {}\n      {}\n", study::with_larger_disc(*row.in_larger_disc), row.in_larger_disc->brief);
+  }
+  return text;
+}
+
+/// How the runs of each study ended, the verdicts in a table, a line per row, and the bottom line.
+std::string reproduction_table(const std::vector<study::JudgedClaim>& rows, const study::Evidence& evidence) {
+  std::string text;
+  for (const auto& [name, ensemble] : evidence) text += fmt::format("{}: {}\n", name, study::ends_text(ensemble));
+  return text + "\n" + claims_text(rows);
+}
 
 /// Of the paper's claims and, where they are asked for by name, of the experiments beside it.
 std::vector<study::Claim> chosen_claims(const ReproduceOptions& options) {
@@ -63,6 +148,7 @@ std::string setting_text(const ReproduceOptions& options) {
 }
 
 int reproduce(const ReproduceOptions& options) {
+  using Json = nlohmann::ordered_json;
   check_id(options.id);
   const std::vector<study::Claim> claims = chosen_claims(options);
   for (const std::string& name : study::studies_of(claims)) // faults of overrides before anything is written
@@ -75,10 +161,12 @@ int reproduce(const ReproduceOptions& options) {
   const std::string setting = setting_text(options);
   if (!options.quiet && !options.json) print_error(setting + "\n");
   study::ClaimEvidence all;
-  ReproducedRuns runs(options);
+  Tables tables;
   try {
-    all = study::gather_evidence(claims, options, [&](const auto&... given) { return runs.compute(given...); });
-    runs.write_reports();
+    all = study::gather_evidence(claims, options,
+                                 [&](const auto&... given) { return computed(given..., options, tables); });
+    for (auto& [study, found] : tables)
+      if (!study.folder.string().ends_with("-larger-disc")) write_study_report(study, found);
   } catch (const Stopped& stopped) {
     print("stopped; the same command continues\n");
     return stopped.signal == SIGINT ? interrupted : requeue;
@@ -88,7 +176,9 @@ int reproduce(const ReproduceOptions& options) {
       rows, all.evidence, options,
       {.page_template = verdicts_page_template(), .setting = setting, .command = options.command});
   if (options.json)
-    print(reproduction_json(rows, setting, as_published(options)));
+    print(Json{{"setting", setting}, {"as_published", as_published(options)}, {"rows", study::claims_json(rows)}}.dump(
+              2, ' ', false, Json::error_handler_t::replace)
+          + "\n");
   else
     print(reproduction_text(rows) + reproduction_table(rows, all.evidence) + setting + "\n"
           + fmt::format("open {}/report-{}.html\n", options.folder, options.id));
