@@ -47,7 +47,10 @@ int report(const ReportArguments& options) {
     const StudyFolder study = study::open_study(folder);
     Collected collected = gathered(study);
     require_no_loss(study, collected.results);
-    write_study_report(study, collected, options.play, tracks);
+    if (const std::string fault = study::fault_of_wanted(collected.results, options.play); !fault.empty())
+      throw UsageError(fault);
+    study::write_study_report(study, collected,
+                              {.page_template = study_page_template(), .played = options.play, .tracks = tracks});
   } else {
     if (!options.play.empty()) throw UsageError("--play is for studies: the report of a run plays that run");
     const FinishedRun run = read_run(folder);

@@ -148,7 +148,6 @@ std::string setting_text(const ReproduceOptions& options) {
 }
 
 int reproduce(const ReproduceOptions& options) {
-  using Json = nlohmann::ordered_json;
   check_id(options.id);
   const std::vector<study::Claim> claims = chosen_claims(options);
   for (const std::string& name : study::studies_of(claims)) // faults of overrides before anything is written
@@ -166,7 +165,8 @@ int reproduce(const ReproduceOptions& options) {
     all = study::gather_evidence(claims, options,
                                  [&](const auto&... given) { return computed(given..., options, tables); });
     for (auto& [study, found] : tables)
-      if (!study.folder.string().ends_with("-larger-disc")) write_study_report(study, found);
+      if (!study.folder.string().ends_with("-larger-disc"))
+        study::write_study_report(study, found, {.page_template = study_page_template()});
   } catch (const Stopped& stopped) {
     print("stopped; the same command continues\n");
     return stopped.signal == SIGINT ? interrupted : requeue;
@@ -176,9 +176,7 @@ int reproduce(const ReproduceOptions& options) {
       rows, all.evidence, options,
       {.page_template = verdicts_page_template(), .setting = setting, .command = options.command});
   if (options.json)
-    print(Json{{"setting", setting}, {"as_published", as_published(options)}, {"rows", study::claims_json(rows)}}.dump(
-              2, ' ', false, Json::error_handler_t::replace)
-          + "\n");
+    print_as_json({{"setting", setting}, {"as_published", as_published(options)}, {"rows", study::claims_json(rows)}});
   else
     print(reproduction_text(rows) + reproduction_table(rows, all.evidence) + setting + "\n"
           + fmt::format("open {}/report-{}.html\n", options.folder, options.id));

@@ -8,7 +8,7 @@
 #include "parameters/presets.hpp"
 #include "parameters/read.hpp"
 #include "simulation/start.hpp"
-#include "study_plan/conditions.hpp"
+#include "study_plan/read_study.hpp"
 #include "study_results/results.hpp"
 
 #include <CLI/CLI.hpp>

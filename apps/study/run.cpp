@@ -1,5 +1,8 @@
 #include "apps/study/verbs.hpp"
+
+#include "apps/shipped_pages.hpp"
 #include "apps/terminal/progress.hpp"
+#include "apps/terminal/stop_signal.hpp"
 #include "apps/terminal/terminal.hpp"
 #include "apps/verbs.hpp"
 #include "base/failure.hpp"
@@ -9,25 +12,70 @@
 #include "run/folder_lock.hpp"
 #include "run/folder_state.hpp"
 #include "simulation/start.hpp"
-#include "study_runs/study_progress.hpp"
 
 #include <fmt/format.h>
-
 #include <nlohmann/json.hpp>
 
+#include <unistd.h>
+
 #include <algorithm>
+#include <chrono>
 #include <filesystem>
 #include <map>
 #include <numeric>
+#include <optional>
 #include <thread>
 
 namespace matrigrate::apps {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
+using namespace std::chrono_literals;
+using Clock = std::chrono::steady_clock;
 
-void print_json(const Json& json) { print(json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n"); }
+/// How far the pool is, on the standard error.
+class PoolProgress {
+public:
+  PoolProgress(std::size_t total, int jobs, bool quiet)
+      : m_total(total), m_jobs(static_cast<std::size_t>(jobs)), m_quiet(quiet),
+        m_terminal(::isatty(STDERR_FILENO) == 1) {}
+  PoolProgress(const PoolProgress&) = delete;
+  PoolProgress& operator=(const PoolProgress&) = delete;
+  ~PoolProgress() {
+    if (m_drawn) print_error("\r\x1b[K");
+  }
+
+  void show(std::size_t ended, std::size_t failed) {
+    const Clock::time_point now = Clock::now();
+    if (m_quiet || now - m_last < (m_terminal ? Clock::duration(500ms) : Clock::duration(1min))) return;
+    m_last = now;
+    const double elapsed = std::chrono::duration<double>(now - m_start).count();
+    const auto done = static_cast<double>(ended);
+    const auto total = static_cast<double>(m_total);
+    const bool known = ended >= std::min(m_jobs, m_total);
+    const ProgressText text{.share = done / total,
+                            .where = fmt::format("{} of {} runs", ended, m_total),
+                            .left = known ? time_left(elapsed, done, total - done)
+                                          : std::string("time left is known when the first runs end"),
+                            .remark = failed > 0 ? fmt::format("{} not done", failed) : std::string()};
+    if (m_terminal)
+      print_error("\r\x1b[K" + progress_line(text, terminal_width()));
+    else
+      print_error(fmt::format("{}, {}{}{}\n", text.where, text.left, failed > 0 ? ", " : "", text.remark));
+    m_drawn = m_terminal;
+  }
+
+private:
+  std::size_t m_total;
+  std::size_t m_jobs;
+  bool m_quiet;
+  bool m_terminal;
+  bool m_drawn = false;
+  Clock::time_point m_start = Clock::now();
+  Clock::time_point m_last = Clock::now();
+};
+
+using Json = nlohmann::ordered_json;
 
 /// What is said of some runs: {run, label, replicate, and what `more` says}.
 template <class Told>
@@ -64,7 +112,7 @@ std::string running_text(const StudyFolder& study, const study::StudyProgress& p
 /// Writes all files of results of the study.
 Collected collect(const StudyFolder& study) {
   Collected c = collect_tables(study);
-  write_study_report(study, c);
+  study::write_study_report(study, c, {.page_template = study_page_template()});
   return c;
 }
 
@@ -78,13 +126,13 @@ void print_doubts(const StudyFolder& study, const std::vector<study::Result>& re
 void print_outcome(const StudyOptions& options, const StudyFolder& study, const PoolOutcome& outcome,
                    const std::vector<study::Result>& results) {
   if (options.json)
-    return print_json({{"folder", study.folder.string()},
-                       {"runs", study.runs.size()},
-                       {"done", outcome.done_before + outcome.done_now},
-                       {"done_now", outcome.done_now},
-                       {"exit_code", exit_code(outcome)},
-                       {"ended_at_rim", std::ranges::count_if(results, study::ended_at_rim)},
-                       {"not_done", to_json(study, outcome.troubles)}});
+    return print_as_json({{"folder", study.folder.string()},
+                          {"runs", study.runs.size()},
+                          {"done", outcome.done_before + outcome.done_now},
+                          {"done_now", outcome.done_now},
+                          {"exit_code", exit_code(outcome)},
+                          {"ended_at_rim", std::ranges::count_if(results, study::ended_at_rim)},
+                          {"not_done", to_json(study, outcome.troubles)}});
   const std::string list = troubles_text(study, outcome.troubles);
   if (!list.empty()) options.quiet ? print_error(list) : print(list);
   print_doubts(study, results);
@@ -119,6 +167,43 @@ void add_damaged(const StudyFolder& study, const std::vector<study::Result>& res
 }
 
 } // namespace
+
+PoolOutcome compute(const StudyFolder& study, const std::vector<std::size_t>& runs, const study::PoolOptions& options,
+                    bool quiet) {
+  std::optional<StopSignal> signals;
+  std::optional<PoolProgress> progress;
+  return study::compute(study, runs, options, [&](std::size_t all, std::size_t ended, std::size_t failed) {
+    if (!progress) {
+      signals.emplace();
+      progress.emplace(all, options.jobs, quiet);
+    }
+    progress->show(ended, failed);
+    return StopSignal::received();
+  });
+}
+
+int exit_code(const PoolOutcome& outcome) {
+  if (outcome.signal != 0) return outcome.signal == SIGINT ? interrupted : requeue;
+  if (outcome.cannot_write) return input_output;
+  if (outcome.ended_by_signal) return requeue;
+  if (std::ranges::any_of(outcome.troubles, [](const auto& t) { return t.status == study::RunState::damaged; }))
+    return input_output;
+  const bool failed = std::ranges::any_of(outcome.troubles,
+                                          [](const study::Trouble& t) { return t.status != study::RunState::running; });
+  return failed ? numerical : done;
+}
+
+std::string troubles_text(const StudyFolder& study, const std::vector<study::Trouble>& troubles) {
+  constexpr std::size_t most = 100;
+  std::string text;
+  for (std::size_t i = 0; i < std::min(most, troubles.size()); ++i) {
+    const study::Trouble& t = troubles[i];
+    text += fmt::format("{:<12}{} ({}): {}\n", to_string(t.status), title_of(study, study.runs[t.run]),
+                        study.runs[t.run].hash, t.reason);
+  }
+  if (troubles.size() > most) text += fmt::format("... and {} more\n", troubles.size() - most);
+  return text;
+}
 
 int job_count(int wanted) {
   return wanted > 0 ? wanted : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
@@ -179,17 +264,17 @@ int show_status(const StudyOptions& options) {
     ++count[std::string(to_string(s.status))];
   }
   if (options.json) {
-    print_json({{"folder", options.folder},
-                {"runs", study.runs.size()},
-                {"count", count},
-                {"running",
-                 to_json<study::RunningRun>(study, progress.running,
-                                            [](const auto& r) -> Json {
-                                              return {{"share", r.share}, {"left_s", r.left ? Json(*r.left) : Json()}};
-                                            })},
-                {"left_s", progress.left ? Json(*progress.left) : Json()},
-                {"builds", programs_of(done_runs)},
-                {"not_done", to_json(study, troubles)}});
+    print_as_json({{"folder", options.folder},
+                   {"runs", study.runs.size()},
+                   {"count", count},
+                   {"running", to_json<study::RunningRun>(
+                                   study, progress.running,
+                                   [](const auto& r) -> Json {
+                                     return {{"share", r.share}, {"left_s", r.left ? Json(*r.left) : Json()}};
+                                   })},
+                   {"left_s", progress.left ? Json(*progress.left) : Json()},
+                   {"builds", programs_of(done_runs)},
+                   {"not_done", to_json(study, troubles)}});
     return done;
   }
   print(fmt::format("{} runs:", study.runs.size()));
@@ -210,12 +295,12 @@ int collect_study(const StudyOptions& options) {
     for (const char* name : {"paths.csv", "msd.csv", "adhesions.csv"})
       if (std::filesystem::exists(study.folder / name)) files.push_back(name);
     if (!collected.claims.empty()) files.push_back("claims.csv");
-    print_json({{"folder", options.folder},
-                {"runs", study.runs.size()},
-                {"done", finished},
-                {"ended_at_rim", std::ranges::count_if(collected.results, study::ended_at_rim)},
-                {"files", files},
-                {"damaged", to_json(study, damaged.troubles)}});
+    print_as_json({{"folder", options.folder},
+                   {"runs", study.runs.size()},
+                   {"done", finished},
+                   {"ended_at_rim", std::ranges::count_if(collected.results, study::ended_at_rim)},
+                   {"files", files},
+                   {"damaged", to_json(study, damaged.troubles)}});
     return exit_code(damaged);
   }
   if (!options.quiet) print(collected_text(study, collected));

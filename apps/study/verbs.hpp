@@ -6,6 +6,8 @@
 #include "study_runs/pool.hpp"
 #include "study_runs/slurm_job.hpp"
 
+#include <nlohmann/json_fwd.hpp>
+
 #include <optional>
 #include <string>
 #include <vector>
@@ -68,15 +70,10 @@ PoolOutcome compute(const StudyFolder& study, const std::vector<std::size_t>& ru
 
 int exit_code(const PoolOutcome& outcome);
 
+void print_as_json(const nlohmann::ordered_json& json);
+
 /// Every run that is not done, with its reason: "failed  50 Pa, replicate 3 (0123...): reason".
 std::string troubles_text(const StudyFolder& study, const std::vector<study::Trouble>& troubles);
-
-/// Judges the claims about the study; writes claims.csv and report.html.
-/// @param played  names of the runs it is to play; none: typical ones
-/// @param tracks  measured, to be drawn besides those of the targets
-/// @throws UsageError if one of them is none of the study, or is not done
-void write_study_report(const StudyFolder& study, Collected& collected, const std::vector<std::string>& played = {},
-                        const std::vector<tracks::CellTrack>& tracks = {});
 
 /// Means of all points, what differs, and the verdicts on claims, for people.
 std::string collected_text(const StudyFolder& study, const Collected& collected);

@@ -5,7 +5,7 @@
 #include "claims/shipped_studies.hpp"
 #include "run/provenance.hpp"
 #include "simulation/start.hpp"
-#include "study_results/read_results.hpp"
+#include "study_results/results.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -19,8 +19,6 @@ namespace matrigrate::study {
 
 namespace {
 
-constexpr std::size_t largest_table = std::size_t{1} << 28U;
-
 /// The results in the table NAME-results.csv of a folder; none if it is not there. They must be of the very runs of the
 /// study: the name of a run is a fingerprint of all parameters that decide on its results.
 std::vector<Result> kept_results(const StudyFolder& study, const std::string& folder, std::string_view name) {
@@ -28,10 +26,7 @@ std::vector<Result> kept_results(const StudyFolder& study, const std::string& fo
   if (folder.empty() || !std::filesystem::exists(file)) return {};
   auto results = read_results(study.study, read_file(file, largest_table), file.string());
   for (const Result& r : results)
-    if (std::ranges::none_of(study.runs, [&](const Run& run) {
-          return run.hash == r.run.hash && run.seed == r.run.seed && run.point == r.run.point
-                 && run.replicate == r.run.replicate;
-        }))
+    if (std::ranges::find(study.runs, r.run) == study.runs.end())
       throw InputOutputError(
           fmt::format("{}: run {} does not belong to the study: its parameters are different, or it was named by a "
                       "version of the program that names runs otherwise than this one, {}",

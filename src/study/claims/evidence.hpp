@@ -22,11 +22,6 @@ struct EvidenceOptions {
   std::optional<std::size_t> replicates;
   std::string integrator = "adaptive";
   std::vector<std::string> overrides;
-
-  /// Whether a row, by its id, was asked for.
-  bool chooses(std::string_view row) const { return id == "all" || row.starts_with(id); }
-  /// The folder of the tables that are judged by.
-  std::filesystem::path tables() const { return from.empty() ? folder : from; }
 };
 
 /// The evidence, and a second one in which each run that ended at the rim, of a point that decides on a claim, is

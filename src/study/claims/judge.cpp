@@ -1,4 +1,4 @@
-#include "claims/judge.hpp"
+#include "claims/claims.hpp"
 
 #include "observe/readout_table.hpp"
 #include "statistics/compare.hpp"

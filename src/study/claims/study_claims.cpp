@@ -30,8 +30,7 @@ const ReadStudy* shipped_study(const Study& study) {
 /// By which its claims call a study that is not shipped: the name of its file, from that of its folder.
 std::string own_name(const std::filesystem::path& folder) {
   constexpr std::string_view ending = "-study";
-  const std::filesystem::path place = std::filesystem::absolute(folder).lexically_normal();
-  const std::string name = (place.has_filename() ? place : place.parent_path()).filename();
+  const std::string name = full_path(folder).filename();
   return name.ends_with(ending) ? name.substr(0, name.size() - ending.size()) : name;
 }
 
@@ -42,16 +41,14 @@ Ensemble ensemble(const StudyFolder& study, const std::vector<Result>& results) 
 /// The results of a study that lies beside another one; nothing if it does not.
 /// @param shipped  whether it must be the shipped one of its name
 std::optional<Ensemble> beside(const std::filesystem::path& folder, std::string_view name, bool shipped) {
-  const std::filesystem::path place = std::filesystem::absolute(folder).lexically_normal();
-  const std::filesystem::path parent = place.has_filename() ? place.parent_path() : place.parent_path().parent_path();
+  const std::filesystem::path parent = full_path(folder).parent_path();
   for (const std::string& sibling : {std::string(name), fmt::format("{}-study", name)}) {
     try {
       const StudyFolder other = open_study(parent / sibling);
       const ReadStudy* known = shipped ? shipped_study(other.study) : nullptr;
       if (!shipped || (known != nullptr && known->name == name))
         return ensemble(other, results(other.study, other.runs, other.folder));
-    } catch (const InputOutputError&) { // is not there, or cannot be read: the claim stays undecided
-    } catch (const ConfigurationError&) {
+    } catch (const std::runtime_error&) { // is not there, or cannot be read: the claim stays undecided
     }
   }
   return {};

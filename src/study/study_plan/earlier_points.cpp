@@ -1,4 +1,4 @@
-#include "study_plan/earlier_points.hpp"
+#include "study_plan/settings.hpp"
 
 #include "parameters/gone.hpp"
 #include "parameters/schema.hpp"
@@ -56,7 +56,7 @@ GoneValues follow_gone(toml::table& study, const toml::table& scenario) {
       if (key == "points")
         for (const Gone& parameter : gone())
           if (const toml::node* value = point.get(parameter.path))
-            said[place_of(point)].emplace(parameter.path, gone_value(*value));
+            said[Place(point)].emplace(parameter.path, gone_value(*value));
       say_by_laws(point, scenario);
       if (key == "points")
         for (const Gone& parameter : gone())

@@ -20,12 +20,14 @@ struct Place {
   int line = 0;
   int column = 0;
 
+  Place() = default;
+  Place(const toml::node& node) : Place(node.source()) {} // NOLINT: a fault may name a node as its place
+  Place(const toml::key& key) : Place(key.source()) {}    // NOLINT: the same
+  explicit Place(const toml::source_region& source)
+      : line(static_cast<int>(source.begin.line)), column(static_cast<int>(source.begin.column)) {}
+
   auto operator<=>(const Place&) const = default;
 };
-
-Place place_of(const toml::source_region& source);
-inline Place place_of(const toml::node& node) { return place_of(node.source()); }
-inline Place place_of(const toml::key& key) { return place_of(key.source()); }
 
 /// The table of a TOML text.   @throws ConfigurationError with one fault if it is none
 toml::table table_of(std::string_view text, const std::string& name);

@@ -38,15 +38,11 @@ std::string set_text(const Study& study, std::size_t set) {
 
 /// A swept value: the number in the unit of its row, the word, or the formula or file of a field or law.
 Json value_of(const Row& row, const Parameters& p) {
-  std::string text = meaning_text(row, p);
-  std::erase(text, '"');
+  const std::string text = swept_text(row, p);
   const Kind of = kind(row);
   if (of == Kind::field || of == Kind::law || of == Kind::constants) return text.empty() ? "none" : text;
   if (of == Kind::choice || of == Kind::boolean) return text;
-  const units::Quantity q = units::parse_quantity(text);
-  if (of != Kind::quantity) return std::stod(q.number);
-  const double internal = units::to_internal(q.number, units::parse_unit(q.unit));
-  return units::number_in(internal, units::parse_unit(row.unit));
+  return std::stod(text);
 }
 
 /// The values of a parameter over all points, each once.
@@ -102,6 +98,16 @@ std::string Names::whole(const std::string& key) {
   return row == nullptr || row->symbol.empty() ? key : fmt::format("{} ({})", key, row->symbol);
 }
 
+std::string swept_text(const Row& row, const Parameters& p) {
+  std::string text = meaning_text(row, p);
+  std::erase(text, '"');
+  if (kind(row) != Kind::quantity) return text;
+  const auto quantity = units::parse_quantity(text);
+  if (quantity.unit == row.unit) return quantity.number;
+  const double internal = units::to_internal(quantity.number, units::parse_unit(quantity.unit));
+  return fmt::format("{}", units::number_in(internal, units::parse_unit(row.unit)));
+}
+
 std::string label_of(const std::vector<Setting>& settings, const Names& names, bool whole) {
   if (settings.empty()) return "all";
   std::string label;
@@ -135,8 +141,6 @@ std::vector<Json> places(const Study& study) {
     for (std::size_t i = 0; i < all.size(); ++i)
       all[i].push_back(std::ranges::find(values, value_of(row, study.points[i].parameters)) - values.begin());
   }
-  for (std::size_t i = 0; i < all.size(); ++i)
-    if (all[i].empty()) all[i].push_back(i);
   return all;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "parameters/schema.hpp"
 #include "study_plan/study.hpp"
 
 #include <nlohmann/json.hpp>
@@ -29,6 +30,9 @@ public:
 private:
   std::map<std::string, std::string> m_names; ///< by path
 };
+
+/// The number of a parameter in the unit of its row, or what stands in its place: a word, a formula, a file.
+std::string swept_text(const Row& row, const Parameters& p);
 
 /// "youngs_modulus 50 Pa, force 0.6 nN"; "all" without settings. A field from a file is called by the name of the file
 /// ("youngs_modulus stiff.csv").

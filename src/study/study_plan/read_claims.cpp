@@ -49,7 +49,7 @@ public:
     if (const auto* node = m_faults.wanted(table, "claims", "kind", "; write kind = \"predicted\""))
       claim.kind = static_cast<ClaimKind>(m_faults.choice(*node, "claims.kind", kind_names));
     if (const auto* node = table.get("closures"); node != nullptr && node->value<std::string>() != "second")
-      m_faults.add(place_of(*node), "claims.closures", gone_with_first_closures);
+      m_faults.add(*node, "claims.closures", gone_with_first_closures);
     if (const auto* node = table.get("published")) claim.published = m_faults.text(*node, "claims.published");
     if (const auto* node =
             m_faults.wanted(table, "claims", "conditions", "; write conditions = [{ rule = \"differs\", ... }]"))
@@ -61,14 +61,14 @@ public:
 private:
   std::string text(const toml::node& node, std::string_view key) {
     std::string typed = m_faults.text(node, key);
-    if (node.is_string() && typed.empty()) m_faults.add(place_of(node), key, "is empty");
+    if (node.is_string() && typed.empty()) m_faults.add(node, key, "is empty");
     return typed;
   }
 
   std::string id(const toml::node& node) {
     std::string typed = text(node, "claims.id");
     if (!typed.empty() && !m_ids.insert(typed).second)
-      m_faults.add(place_of(node), "claims.id", fmt::format("\"{}\" is the id of two claims", excerpt(typed)));
+      m_faults.add(node, "claims.id", fmt::format("\"{}\" is the id of two claims", excerpt(typed)));
     return typed;
   }
 
@@ -76,7 +76,7 @@ private:
     std::vector<ClaimCondition> all;
     const toml::array* list = node.as_array();
     if (list == nullptr || list->empty())
-      m_faults.add(place_of(node), "claims.conditions", "is no list of conditions, each a table with a rule");
+      m_faults.add(node, "claims.conditions", "is no list of conditions, each a table with a rule");
     else
       for (const toml::node& one : *list)
         if (const toml::table* table = m_faults.table(one, "claims.conditions"))
@@ -108,7 +108,7 @@ private:
     for (const std::string& key : keys)
       if (const toml::node* node = table.get(key)) take(key, *node, c);
     if (has(keys, "low") && table.contains("low") && table.contains("high") && !(c.value < c.high))
-      m_faults.add(place_of(*table.get("low")), full("low"), "is not below high");
+      m_faults.add(*table.get("low"), full("low"), "is not below high");
     if (const toml::node* edition = table.get("edition"); // of the rules, of which earlier versions had two
         edition != nullptr && m_faults.choice(*edition, full("edition"), {"first", "second", "both"}) == 0)
       return {};
@@ -138,7 +138,7 @@ private:
   double share(const toml::node& node) {
     const auto value = m_faults.number(node, full("share"));
     if (value && !(*value > 0.0 && *value <= 1.0))
-      m_faults.add(place_of(node), full("share"), fmt::format("{} is out of range; allowed is > 0 and <= 1", *value));
+      m_faults.add(node, full("share"), fmt::format("{} is out of range; allowed is > 0 and <= 1", *value));
     return value.value_or(1.0);
   }
 
@@ -146,7 +146,7 @@ private:
     std::string name = text(node, full("study"));
     if (!name.empty() && m_labels_of && !m_labels_of(name))
       m_faults.add(
-          place_of(node), full("study"),
+          node, full("study"),
           fmt::format("there is no {0}.toml beside this file, and no study {0} of `matrigrate list`", excerpt(name)));
     return name;
   }
@@ -162,7 +162,7 @@ private:
     const std::size_t n = std::max(ends.size(), starts.size());
     if ((ends.size() != n && ends.size() != 1) || (starts.size() != n && starts.size() != 1))
       m_faults.add(
-          place_of(*to), full("to"),
+          *to, full("to"),
           fmt::format("lists {} points, but from lists {}; write as many, or one", ends.size(), starts.size()));
     std::vector<ClaimCondition> all(n, c);
     for (std::size_t i = 0; i < n; ++i) {
@@ -176,7 +176,7 @@ private:
     std::vector<PointName> all;
     const toml::array* list = node.as_array();
     if (list == nullptr) return {point(node, key)};
-    if (list->empty()) m_faults.add(place_of(node), full(key), "lists no point");
+    if (list->empty()) m_faults.add(node, full(key), "lists no point");
     for (const toml::node& one : *list) all.push_back(point(one, key));
     return all;
   }
@@ -195,7 +195,7 @@ private:
       }
     }
     m_faults.add(
-        place_of(node), full(key),
+        node, full(key),
         fmt::format("\"{}\" is not the label of a point; the labels are {}", excerpt(typed), quoted_list(known)),
         [typed, known] { return did_you_mean(nearest(typed, known)); });
     return {"", typed};
@@ -212,7 +212,7 @@ private:
 double alpha_of(const toml::node& node, const std::string& key, FaultList& faults) {
   const auto value = node.value<double>();
   if (value && *value > 0.0 && *value <= 0.5) return *value;
-  faults.add(place_of(node), key,
+  faults.add(node, key,
              value ? fmt::format("{} is out of range; allowed is > 0 and <= 0.5", *value)
                    : fmt::format("is {}, but a number without quotes is expected, such as 0.05", type_of(node)));
   return Comparisons{}.alpha;
@@ -226,7 +226,7 @@ void check_control(const Comparisons& c, const toml::table& table, const std::ve
   if (has(labels, c.control)) return;
   const std::string what = node == nullptr ? std::string("is missing: the label")
                                            : fmt::format("\"{}\" is not the label", excerpt(c.control));
-  faults.add(place_of(node == nullptr ? *table.get("compare") : *node), "statistics.control",
+  faults.add(node == nullptr ? *table.get("compare") : *node, "statistics.control",
              fmt::format("{} of a point; the labels are {}{}", what, quoted_list(labels),
                          did_you_mean(nearest(c.control, labels))));
 }
@@ -265,8 +265,8 @@ std::vector<Claim> read_claims(const toml::array& list, const std::vector<Point>
   return all;
 }
 
-Comparisons read_comparisons(const toml::table& table, Comparisons c, const std::vector<Point>& points,
-                             FaultList& faults) {
+Comparisons read_comparisons(const toml::table& table, const std::vector<Point>& points, FaultList& faults) {
+  Comparisons c;
   faults.check_keys(table, "statistics", {"compare", "test", "control", "alpha"});
   if (const auto* node = table.get("compare"))
     c.pairs = static_cast<Pairs>(faults.choice(*node, "statistics.compare", pairs_names));

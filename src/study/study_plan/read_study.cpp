@@ -9,8 +9,6 @@
 #include "parameters/nearest.hpp"
 #include "parameters/presets.hpp"
 #include "parameters/read.hpp"
-#include "study_plan/conditions.hpp"
-#include "study_plan/earlier_points.hpp"
 #include "study_plan/sweep.hpp"
 
 #include <fmt/format.h>
@@ -24,9 +22,7 @@ namespace matrigrate::study {
 
 namespace {
 
-constexpr std::size_t largest_file = std::size_t{1} << 25; // the resolved form of 100,000 points
 constexpr std::uint64_t largest_seed = (std::uint64_t{1} << 53U) - 1;
-constexpr std::size_t max_replicates = 100'000;
 
 /// What stands at the top of a file.
 const std::vector<std::string> known_keys{"title",  "scenario", "preset",     "replicates", "seed",
@@ -160,7 +156,7 @@ private:
   const toml::table* section(std::string_view key) {
     const toml::node* node = get(key);
     if (node == nullptr || node->is_table()) return node == nullptr ? nullptr : node->as_table();
-    m_faults.add(place_of(*node), key, fmt::format("is {}, but a section [{}] is expected", type_of(*node), key));
+    m_faults.add(*node, key, fmt::format("is {}, but a section [{}] is expected", type_of(*node), key));
     return nullptr;
   }
 
@@ -168,7 +164,7 @@ private:
   const toml::array* list(std::string_view key, std::string_view what) {
     const toml::node* node = get(key);
     if (node == nullptr || node->is_array()) return node == nullptr ? nullptr : node->as_array();
-    m_faults.add(place_of(*node), key, fmt::format("is no list of {0}; write [[{0}]] and {1} below", key, what));
+    m_faults.add(*node, key, fmt::format("is no list of {0}; write [[{0}]] and {1} below", key, what));
     return nullptr;
   }
 
@@ -190,9 +186,9 @@ private:
       const std::string key(name.str());
       if (std::ranges::find(known_keys, key) != known_keys.end()) continue;
       if (const auto instead = replaced.find(key); instead != replaced.end())
-        m_faults.add(place_of(name), key, instead->second);
+        m_faults.add(name, key, instead->second);
       else
-        m_faults.add(place_of(name), key, fmt::format("a study has no such {}", node.is_table() ? "section" : "key"),
+        m_faults.add(name, key, fmt::format("a study has no such {}", node.is_table() ? "section" : "key"),
                      [key] { return did_you_mean(nearest(key, known_keys)); });
     }
   }
@@ -215,7 +211,7 @@ private:
     if (const auto* node = get("common_random_numbers"))
       m_study.common_random_numbers = m_faults.flag(*node, "common_random_numbers");
     if (const auto* node = get("replicates"))
-      m_study.replicates = m_faults.whole(*node, "replicates", 1, max_replicates);
+      m_study.replicates = m_faults.whole(*node, "replicates", 1, max_runs);
     else
       m_faults.add({}, "replicates", "is missing; write replicates = 12, the runs at each point");
     if (m_changes.replicates) m_study.replicates = *m_changes.replicates;
@@ -228,11 +224,11 @@ private:
     if (node == nullptr) return;
     const toml::array* list = node->as_array();
     if (list == nullptr || list->empty())
-      return m_faults.add(place_of(*node), "readouts", "is no list of names, such as [\"n_protrusions\"]");
+      return m_faults.add(*node, "readouts", "is no list of names, such as [\"n_protrusions\"]");
     m_study.readouts.clear();
     const std::vector<std::string> names = all_readouts();
     if (list->size() > names.size())
-      return m_faults.add(place_of(*node), "readouts",
+      return m_faults.add(*node, "readouts",
                           fmt::format("has {} names, but there are {} read-outs", list->size(), names.size()));
     for (const toml::node& entry : *list) m_study.readouts.push_back(names[m_faults.choice(entry, "readouts", names)]);
   }
@@ -241,7 +237,7 @@ private:
     const toml::node* scenario = get("scenario");
     const toml::node* preset = get("preset");
     if ((scenario == nullptr) == (preset == nullptr))
-      m_faults.add(preset == nullptr ? Place{} : place_of(*preset), "scenario",
+      m_faults.add(preset == nullptr ? Place{} : Place(*preset), "scenario",
                    fmt::format("{}; a study has one of scenario = \"FILE.toml\" and preset = \"NAME\"",
                                preset == nullptr ? "is missing" : "is given together with a preset"));
     if (preset != nullptr) read_preset(*preset);
@@ -269,7 +265,7 @@ private:
       m_study.base = m_written_out ? read_unjudged(path) : read_parameters(path);
     } catch (const InputOutputError& error) {
       throw InputOutputError(
-          to_string(Fault{m_faults.file(), place_of(node).line, place_of(node).column, "scenario", error.what()}));
+          to_string(Fault{m_faults.file(), Place(node).line, Place(node).column, "scenario", error.what()}));
     }
     if (!m_changes.more.empty()) m_faults.add(faults_of_gone(m_study.base, (m_folder / file).string()));
   }
@@ -288,8 +284,8 @@ private:
     for (const auto& [name, node] : *constants) {
       const std::string path = fmt::format("laws.constants.{}", name.str());
       if (std::string fault = define_constant(name.str(), node, m_study.base); !fault.empty())
-        m_faults.add(place_of(node), path, std::move(fault));
-      m_fixed.emplace_back(path, place_of(node));
+        m_faults.add(node, path, std::move(fault));
+      m_fixed.emplace_back(path, node);
     }
     laws->erase("constants");
   }
@@ -300,7 +296,7 @@ private:
     define_constants();
     for (const Named& named : named_parameters(*fixed, "set", {}, m_study.base, m_faults)) {
       assigned(*named.row, *named.node, m_study.base, m_faults);
-      m_fixed.emplace_back(named.row->path, place_of(*named.node));
+      m_fixed.emplace_back(named.row->path, *named.node);
     }
   }
 
@@ -342,9 +338,7 @@ private:
     RuleCheck rule_check(m_changes.more, m_faults);
     std::vector<std::pair<std::string, std::string>> seen; // settings and labels
     for (const Draft& draft : drafts) {
-      std::string settings;
-      for (const Setting& s : meant(draft.point.settings, draft.point.parameters))
-        settings += fmt::format("{} = {}\n", s.key, s.value);
+      std::string settings = meaning_of(draft.point.settings, draft.point.parameters);
       for (const auto& [path, value] : draft.point.parameters.origin.gone) settings += path + " = " + value + "\n";
       seen.emplace_back(std::move(settings), draft.point.label);
       Places places = draft.settings;
@@ -379,7 +373,7 @@ private:
 
   void read_statistics() {
     if (const toml::table* table = section("statistics"))
-      m_study.comparisons = read_comparisons(*table, m_study.comparisons, m_study.points, m_faults);
+      m_study.comparisons = read_comparisons(*table, m_study.points, m_faults);
     if (const auto* tables = list("claims", "an id, a sentence and conditions"))
       m_study.claims = read_claims(*tables, m_study.points, m_changes.labels_of, m_faults);
   }

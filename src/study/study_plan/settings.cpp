@@ -29,22 +29,21 @@ void gather(const toml::table& table, const std::string& prefix, std::string_vie
     const std::string shown = fmt::format("{}.{}", section, path);
     const Row* row = find_row(path, base);
     if (path == "run.seed" || path == "run.threads")
-      faults.add(place_of(name), shown,
+      faults.add(name, shown,
                  path == "run.seed" ? "the seeds of the runs follow from the study's own `seed`"
                                     : "the runs of a study take one thread each, or what Slurm gives them");
     else if (path == "cells" || path == "changes")
-      faults.add(place_of(name), shown, fmt::format("a study takes its {} from its scenario or preset", path));
+      faults.add(name, shown, fmt::format("a study takes its {} from its scenario or preset", path));
     else if (node.is_table() && (is_section(path) || path == all_constants))
       gather(*node.as_table(), path, section, own, base, faults, found);
     else if (row != nullptr)
       found.push_back({row, &node});
     else if (!constant_name(path).empty())
-      faults.add(place_of(name), shown, unknown_constant(path, base));
+      faults.add(name, shown, unknown_constant(path, base));
     else if (const Gone* has_gone = find_gone(path); has_gone != nullptr) {
-      if (std::string fault = fault_of_gone(*has_gone, node); !fault.empty())
-        faults.add(place_of(name), shown, std::move(fault));
+      if (std::string fault = fault_of_gone(*has_gone, node); !fault.empty()) faults.add(name, shown, std::move(fault));
     } else
-      faults.add(place_of(name), shown, "there is no such parameter", [path] { return parameter_hint(path); });
+      faults.add(name, shown, "there is no such parameter", [path] { return parameter_hint(path); });
   }
 }
 
@@ -57,7 +56,7 @@ void complete_fields(toml::table& table, const std::filesystem::path& folder, fi
     const auto complete = [&](toml::node& one) {
       if (toml::value<std::string>* text = one.as_string())
         if (std::string fault = complete_field(text->get(), folder, grids); !fault.empty())
-          faults.add(place_of(one), path, std::move(fault));
+          faults.add(one, path, std::move(fault));
     };
     const Row* row = find_row(path);
     if (row == nullptr && node.is_table() && is_section(path))
@@ -91,11 +90,11 @@ std::vector<Named> named_parameters(const toml::table& table, std::string_view s
   const auto all = std::ranges::find(found, all_constants, [](const Named& n) { return n.row->path; });
   if (all != found.end()
       && std::ranges::any_of(found, [](const Named& n) { return !constant_name(n.row->path).empty(); })) {
-    faults.add(place_of(*all->node), fmt::format("{}.{}", section, all_constants),
+    faults.add(*all->node, fmt::format("{}.{}", section, all_constants),
                "stands beside a constant alone; write each constant alone, or all of them in one text");
     found.erase(all);
   }
-  std::ranges::sort(found, {}, [](const Named& n) { return place_of(*n.node); });
+  std::ranges::sort(found, {}, [](const Named& n) { return Place(*n.node); });
   return found;
 }
 
@@ -107,6 +106,12 @@ std::vector<Setting> meant(std::vector<Setting> settings, const Parameters& p) {
   std::ranges::sort(settings, {}, &Setting::key);
   settings.erase(std::unique(settings.begin(), settings.end()), settings.end()); // several constants
   return settings;
+}
+
+std::string meaning_of(const std::vector<Setting>& settings, const Parameters& p) {
+  std::string text;
+  for (const Setting& s : meant(settings, p)) text += fmt::format("{} = {}\n", s.key, s.value);
+  return text;
 }
 
 bool overlap(std::string_view path, std::string_view other) {
@@ -124,7 +129,7 @@ std::optional<double> number_in_unit(const Row& row, Parameters p) { // NOLINT: 
 std::optional<Setting> assigned(const Row& row, const toml::node& node, Parameters& p, FaultList& faults) {
   const std::string fault = assign(row, given_by(node), p);
   if (!fault.empty()) {
-    faults.add(place_of(node), row.path, fault);
+    faults.add(node, row.path, fault);
     return std::nullopt;
   }
   // constants as typed: an earlier version had its seeds from that

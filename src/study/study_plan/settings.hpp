@@ -5,6 +5,7 @@
 #include "study_plan/study.hpp"
 
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -45,10 +46,28 @@ std::string without_folder(const std::string& value);
 /// these settings
 std::vector<Setting> meant(std::vector<Setting> settings, const Parameters& p);
 
+/// These, a line each.
+std::string meaning_of(const std::vector<Setting>& settings, const Parameters& p);
+
 /// The value of a number's row, in the row's unit; none for flags and choices.
 std::optional<double> number_in_unit(const Row& row, Parameters p);
 
 /// Gives the parameter a value. @return how it stands in a scenario file; none, and a fault, if it is not allowed
 std::optional<Setting> assigned(const Row& row, const toml::node& node, Parameters& p, FaultList& faults);
+
+// Studies that an earlier version has written out, whose points may name parameters that have gone
+// (parameters/gone.hpp). Test: tests/unit/study_plan/plan_test.cpp
+
+/// What points say by parameters that have gone: by the place of the point's table, path and value.
+using GoneValues = std::map<Place, std::map<std::string, std::string, std::less<>>>;
+
+/// Whether a program wrote the text of a study.
+bool is_written_out(std::string_view text);
+
+/// Says by laws what [[points]] and [[conditions]] say by parameters that laws have replaced, and takes the readings
+/// that have gone out of points; of conditions they stay, to be refused.
+/// @param scenario  of the study: what a point does not say
+/// @return what points said
+GoneValues follow_gone(toml::table& study, const toml::table& scenario);
 
 } // namespace matrigrate::study

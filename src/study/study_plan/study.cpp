@@ -27,13 +27,10 @@ std::vector<Setting> seeding(const Study& study, const Point& point) {
 
 } // namespace
 
-const std::vector<std::string>& default_readouts() {
-  static const std::vector<std::string> names = [] {
-    std::vector<std::string> usual;
-    for (const ReadOutSpec& spec : readout_table())
-      if (spec.usual) usual.emplace_back(spec.name);
-    return usual;
-  }();
+std::vector<std::string> default_readouts() {
+  std::vector<std::string> names;
+  for (const ReadOutSpec& spec : readout_table())
+    if (spec.usual) names.emplace_back(spec.name);
   return names;
 }
 
@@ -50,8 +47,8 @@ std::size_t readout_column(std::string_view readout) {
   return static_cast<std::size_t>(found - names.begin());
 }
 
-std::vector<std::shared_ptr<const std::vector<tracks::CellTrack>>> measured_sets(const Study& study) {
-  std::vector<std::shared_ptr<const std::vector<tracks::CellTrack>>> sets;
+std::vector<MeasuredTracks> measured_sets(const Study& study) {
+  std::vector<MeasuredTracks> sets;
   for (const Target& target : study.targets)
     if (target.tracks != nullptr && std::ranges::find(sets, target.tracks) == sets.end()) sets.push_back(target.tracks);
   return sets;

@@ -26,15 +26,14 @@ struct Setting {
 
 /// A set of values that a design varies, without the conditions.
 struct FactorSet {
-  std::string label;             ///< unique among the sets of its study
+  std::string label;             ///< unique among the sets, or conditions, of its study
   std::vector<Setting> settings; ///< what differs from the base, by key
 };
 
 /// A condition under which each factor set is run: an experiment, as parameters.
-struct Condition {
-  std::string label; ///< unique among the conditions of its study
-  std::vector<Setting> settings;
-};
+using Condition = FactorSet;
+
+using MeasuredTracks = std::shared_ptr<const std::vector<tracks::CellTrack>>;
 
 /// A point of parameter space: a factor set under a condition.
 struct Point {
@@ -50,13 +49,13 @@ struct Point {
 /// What a read-out should be: a measured mean, or a range of them.
 struct Target {
   std::string readout;
-  double low = 0.0;                                               ///< in the unit of the read-out
-  double high = 0.0;                                              ///< equal to low for a single value
-  double error = 1.0;                                             ///< standard error of what was measured, > 0
-  double weight = 1.0;                                            ///< > 0
-  std::vector<std::size_t> at;                                    ///< conditions that it holds at; empty: all
-  std::shared_ptr<const std::vector<tracks::CellTrack>> tracks{}; ///< that tell value and error; those of one file once
-  std::vector<std::string> notes{};                               ///< what the reader of these tracks has to tell
+  double low = 0.0;                 ///< in the unit of the read-out
+  double high = 0.0;                ///< equal to low for a single value
+  double error = 1.0;               ///< standard error of what was measured, > 0
+  double weight = 1.0;              ///< > 0
+  std::vector<std::size_t> at;      ///< conditions that it holds at; empty: all
+  MeasuredTracks tracks{};          ///< that tell value and error; those of one file once
+  std::vector<std::string> notes{}; ///< what the reader of these tracks has to tell
 };
 
 /// Which points are compared: neighbours along one parameter, all with all, all with one, or none.
@@ -93,7 +92,7 @@ struct Study {
 };
 
 /// The paper's read-outs, which a study compares if it names none.
-const std::vector<std::string>& default_readouts();
+std::vector<std::string> default_readouts();
 
 /// The names of readout_table().
 std::vector<std::string> all_readouts();
@@ -114,7 +113,7 @@ std::vector<std::string> all_labels(const std::vector<Labelled>& all) {
 std::vector<std::string> swept_keys(const Study& study);
 
 /// The measured tracks of the targets, those of each file once, in the order in which they are first named.
-std::vector<std::shared_ptr<const std::vector<tracks::CellTrack>>> measured_sets(const Study& study);
+std::vector<MeasuredTracks> measured_sets(const Study& study);
 
 /// The file beside study.resolved.toml that holds the k-th of them: "measured-1.csv".
 std::string measured_file(std::size_t k);
@@ -128,6 +127,8 @@ struct Run {
   std::size_t replicate = 1; ///< from 1
   std::uint64_t seed = 0;
   std::string hash; ///< of all that decides on its results: the name of its folder
+
+  bool operator==(const Run&) const = default;
 };
 
 /// The seed of a run: a hash of the study's seed, the settings of the point, sorted by key, and the replicate. So a run

@@ -2,6 +2,7 @@
 
 #include "base/random.hpp"
 #include "parameters/assign.hpp"
+#include "parameters/document.hpp"
 #include "store/trajectory_hash.hpp"
 #include "study_plan/names.hpp"
 
@@ -10,6 +11,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <map>
 #include <numeric>
 #include <unordered_map>
 #include <unordered_set>
@@ -47,7 +49,7 @@ struct Span {
 std::optional<Span> span_of(const Named& named, const Parameters& base, FaultList& faults) {
   const Row& row = *named.row;
   const auto complain = [&](std::string message) {
-    faults.add(place_of(*named.node), row.path, std::move(message));
+    faults.add(*named.node, row.path, std::move(message));
     return std::nullopt;
   };
   const toml::array* list = named.node->as_array();
@@ -55,7 +57,7 @@ std::optional<Span> span_of(const Named& named, const Parameters& base, FaultLis
   if (!number_in_unit(row, base)) return complain("is no number, and has no range");
   if (list == nullptr || list->size() < 2 || list->size() > 3)
     return complain(fmt::format("is {}, but a range of low and high is expected, {}", type_of(*named.node), such));
-  Span span{&row, place_of(*named.node)};
+  Span span{&row, Place(*named.node)};
   if (list->size() == 3) {
     if (list->get(2)->value_or(std::string()) != "log") return complain("the third of a range can only be \"log\"");
     span.log = true;
@@ -109,14 +111,13 @@ std::vector<ValueList> value_lists(const toml::table& sweep, const Parameters& b
   for (const Named& named : named_parameters(sweep, "sweep", {}, base, faults)) {
     const toml::array* list = named.node->as_array();
     if (list == nullptr || list->empty()) {
-      faults.add(place_of(*named.node), named.row->path,
+      faults.add(*named.node, named.row->path,
                  fmt::format("is {}, but a list of values is expected, such as [{}]",
                              list == nullptr ? type_of(*named.node) : "empty", value_text(*named.row, base)));
       continue;
     }
     if (list->size() > max_runs) {
-      faults.add(place_of(*named.node), named.row->path,
-                 fmt::format("has {} values; allowed are {}", list->size(), max_runs));
+      faults.add(*named.node, named.row->path, fmt::format("has {} values; allowed are {}", list->size(), max_runs));
       continue;
     }
     ValueList& axis = all.emplace_back(ValueList{named.row, {}, {}});
@@ -126,13 +127,34 @@ std::vector<ValueList> value_lists(const toml::table& sweep, const Parameters& b
       const auto setting = assigned(*named.row, value, scratch, faults);
       if (!setting) continue;
       if (!listed.insert(meaning_text(*named.row, scratch)).second)
-        faults.add(place_of(value), named.row->path, fmt::format("{} is listed twice", setting->value));
+        faults.add(value, named.row->path, fmt::format("{} is listed twice", setting->value));
       axis.nodes.push_back(&value);
       axis.settings.push_back(*setting);
     }
     if (axis.settings.empty()) all.pop_back(); // all of them at fault
   }
   return all;
+}
+
+std::string label_in(const toml::table& table, FaultList& faults) {
+  const toml::node* node =
+      faults.wanted(table, "conditions", "label", "; write label = \"soft\", the name for targets");
+  if (node == nullptr) return {};
+  std::string label = faults.text(*node, "conditions.label");
+  if (label.empty() && node->is_string()) faults.add(*node, "conditions.label", "is empty");
+  return label;
+}
+
+void check_twins(const std::vector<ConditionDraft>& all, FaultList& faults) {
+  std::map<std::string, int> labels;
+  std::map<std::string, int> seen;
+  for (const ConditionDraft& draft : all) {
+    const std::string& label = draft.condition.label;
+    if (!label.empty() && labels[label]++ > 0)
+      faults.add(draft.place, "conditions", fmt::format("\"{}\" is the label of two conditions", excerpt(label)));
+    if (seen[draft.meaning]++ > 0)
+      faults.add(draft.place, "conditions", fmt::format("\"{}\": is the same as another condition", excerpt(label)));
+  }
 }
 
 } // namespace
@@ -174,7 +196,7 @@ std::vector<Draft> grid_points(const toml::table& sweep, const Parameters& base,
   if (all.empty()) return {};
   double product = 1.0;
   for (const ValueList& axis : all) product *= static_cast<double>(axis.nodes.size());
-  if (!allowance.allows(product, place_of(sweep), "sweep", faults)) return {};
+  if (!allowance.allows(product, Place(sweep), "sweep", faults)) return {};
   const auto count = static_cast<std::size_t>(product);
   std::vector<Draft> drafts(count);
   for (std::size_t i = 0; i < count; ++i) {
@@ -186,7 +208,7 @@ std::vector<Draft> grid_points(const toml::table& sweep, const Parameters& base,
       const std::size_t k = i / block % axis.nodes.size();
       assign(*axis.row, given_by(*axis.nodes[k]), draft.point.parameters);
       draft.point.settings.push_back(axis.settings[k]);
-      draft.settings.emplace_back(axis.row->path, place_of(*axis.nodes[k]));
+      draft.settings.emplace_back(axis.row->path, *axis.nodes[k]);
     }
     draft.place = draft.settings.front().second;
   }
@@ -196,17 +218,17 @@ std::vector<Draft> grid_points(const toml::table& sweep, const Parameters& base,
 std::vector<Draft> listed_points(const toml::array& points, const Parameters& base, Allowance& allowance,
                                  FaultList& faults) {
   std::vector<Draft> drafts;
-  if (!allowance.allows(static_cast<double>(points.size()), place_of(points), "points", faults)) return drafts;
+  if (!allowance.allows(static_cast<double>(points.size()), Place(points), "points", faults)) return drafts;
   for (const toml::node& node : points) {
     const toml::table* table = faults.table(node, "points", "table of parameters");
     if (table == nullptr) continue;
     Draft draft;
-    draft.place = place_of(node);
+    draft.place = Place(node);
     draft.point.parameters = base;
     for (const Named& named : named_parameters(*table, "points", "label", base, faults))
       if (auto setting = assigned(*named.row, *named.node, draft.point.parameters, faults)) {
         draft.point.settings.push_back(std::move(*setting));
-        draft.settings.emplace_back(named.row->path, place_of(*named.node));
+        draft.settings.emplace_back(named.row->path, *named.node);
       }
     if (const toml::node* label = table->get("label")) draft.point.label = faults.text(*label, "points.label");
     drafts.push_back(std::move(draft));
@@ -230,16 +252,16 @@ std::vector<double> stratified(std::size_t n, std::uint64_t seed) {
 std::vector<Draft> hypercube_points(const toml::table& hypercube, const Parameters& base, std::uint64_t seed,
                                     Allowance& allowance, FaultList& faults) {
   const toml::node* samples = hypercube.get("samples");
-  if (samples == nullptr) faults.add(place_of(hypercube), "latin_hypercube.samples", "is missing; write samples = 50");
+  if (samples == nullptr) faults.add(hypercube, "latin_hypercube.samples", "is missing; write samples = 50");
   const std::size_t n = samples == nullptr ? 0 : faults.whole(*samples, "latin_hypercube.samples", 1, max_runs);
   std::vector<Span> spans;
   for (const Named& named : named_parameters(hypercube, "latin_hypercube", "samples", base, faults))
     if (const auto span = span_of(named, base, faults)) spans.push_back(*span);
   if (spans.empty()) {
-    if (faults.empty()) faults.add(place_of(hypercube), "latin_hypercube", "has no range of a parameter");
+    if (faults.empty()) faults.add(hypercube, "latin_hypercube", "has no range of a parameter");
     return {};
   }
-  if (!allowance.allows(static_cast<double>(n), place_of(hypercube), "latin_hypercube.samples", faults)) return {};
+  if (!allowance.allows(static_cast<double>(n), Place(hypercube), "latin_hypercube.samples", faults)) return {};
   std::vector<Draft> drafts(n);
   for (Draft& draft : drafts) draft.point.parameters = base;
   for (const Span& span : spans) {
@@ -264,6 +286,72 @@ std::vector<Draft> hypercube_points(const toml::table& hypercube, const Paramete
   }
   for (std::size_t i = 0; i < n; ++i) drafts[i].point.label = fmt::format("sample {}", i + 1);
   return drafts;
+}
+
+std::vector<ConditionDraft> read_conditions(const toml::array& list, const Parameters& base, FaultList& faults) {
+  std::vector<ConditionDraft> all;
+  if (list.size() > max_runs)
+    faults.add(list, "conditions", fmt::format("has {} conditions; allowed are {}", list.size(), max_runs));
+  if (list.size() > max_runs) return all;
+  for (const toml::node& node : list) {
+    const toml::table* table = faults.table(node, "conditions", "table of parameters");
+    if (table == nullptr) continue;
+    ConditionDraft& draft = all.emplace_back(ConditionDraft{{label_in(*table, faults), {}}, node, {}, {}});
+    Parameters p = base;
+    for (const Named& named : named_parameters(*table, "conditions", "label", base, faults)) {
+      auto setting = assigned(*named.row, *named.node, p, faults);
+      if (!setting) continue;
+      draft.condition.settings.push_back(std::move(*setting));
+      draft.parameters.push_back(named);
+    }
+    draft.meaning = meaning_of(draft.condition.settings, p);
+  }
+  if (faults.empty()) check_twins(all, faults);
+  return all;
+}
+
+std::vector<Draft> crossed(std::vector<Draft> sets, const std::vector<ConditionDraft>& conditions) {
+  for (std::size_t i = 0; i < sets.size(); ++i) sets[i].point.set = i;
+  if (conditions.empty()) return sets;
+  std::vector<Draft> points;
+  points.reserve(sets.size() * conditions.size());
+  for (const Draft& set : sets)
+    for (std::size_t c = 0; c < conditions.size(); ++c) {
+      Draft& draft = points.emplace_back(set);
+      draft.point.label = fmt::format("{}: {}", conditions[c].condition.label, set.point.label);
+      draft.point.condition = c;
+      const std::vector<Setting>& settings = conditions[c].condition.settings;
+      draft.point.settings.insert(draft.point.settings.begin(), settings.begin(), settings.end());
+      for (const Named& named : conditions[c].parameters) {
+        assign(*named.row, given_by(*named.node), draft.point.parameters);
+        draft.settings.emplace_back(named.row->path, *named.node);
+      }
+    }
+  return points;
+}
+
+void check_overlaps(const toml::table& study, const std::vector<ConditionDraft>& conditions, const Parameters& base,
+                    FaultList& faults) {
+  std::map<std::string_view, std::string> set; // the first condition that sets a parameter
+  for (const ConditionDraft& draft : conditions)
+    for (const Named& named : draft.parameters) set.emplace(named.row->path, draft.condition.label);
+  if (set.empty()) return;
+  FaultList told(""); // elsewhere
+  const auto check = [&](const toml::node* node, std::string_view section, std::string_view own) {
+    if (node == nullptr || !node->is_table()) return;
+    for (const Named& named : named_parameters(*node->as_table(), section, own, base, told)) {
+      const auto found =
+          std::ranges::find_if(set, [&](const auto& one) { return overlap(one.first, named.row->path); });
+      if (found != set.end())
+        faults.add(
+            *named.node, named.row->path,
+            fmt::format("is also set by the condition \"{}\"; a condition must not set a factor", found->second));
+    }
+  };
+  check(study.get("sweep"), "sweep", {});
+  check(study.get("latin_hypercube"), "latin_hypercube", "samples");
+  if (const toml::array* points = study["points"].as_array())
+    for (const toml::node& point : *points) check(&point, "points", "label");
 }
 
 } // namespace matrigrate::study

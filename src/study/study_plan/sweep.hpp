@@ -5,12 +5,13 @@
 #include "study_plan/study.hpp"
 
 #include <cstdint>
+#include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
-/// The factor sets of a study: a grid of lists, points one by one, and a Latin hypercube.
-/// Test: tests/unit/study_plan/read_study_test.cpp, plan_test.cpp
+/// The factor sets of a study, a grid of lists, points one by one, and a Latin hypercube, and its conditions.
+/// Test: tests/unit/study_plan/read_study_test.cpp, plan_test.cpp, targets_test.cpp
 namespace matrigrate::study {
 
 /// Where parameters stand in a file.
@@ -64,5 +65,24 @@ void name_sets(std::vector<Draft>& sets, const std::vector<Condition>& condition
 
 /// Places in [0, 1), one in each of n equal strips, in random order.
 std::vector<double> stratified(std::size_t n, std::uint64_t seed);
+
+/// A condition, and where it stands in the file.
+struct ConditionDraft {
+  Condition condition;
+  Place place;
+  std::vector<Named> parameters;
+  std::string meaning; ///< meaning_of() the settings
+};
+
+/// [[conditions]]: each a `label` and parameters.
+std::vector<ConditionDraft> read_conditions(const toml::array& list, const Parameters& base, FaultList& faults);
+
+/// Each factor set under each condition, labelled "condition: set"; the sets as they are without conditions.
+std::vector<Draft> crossed(std::vector<Draft> sets, const std::vector<ConditionDraft>& conditions);
+
+/// Faults for parameters that a design varies and a condition sets.
+/// @param study  the whole file
+void check_overlaps(const toml::table& study, const std::vector<ConditionDraft>& conditions, const Parameters& base,
+                    FaultList& faults);
 
 } // namespace matrigrate::study

@@ -3,7 +3,7 @@
 #include "parameters/nearest.hpp"
 #include "parameters/units.hpp"
 #include "statistics/sample.hpp"
-#include "study_plan/conditions.hpp"
+#include "study_plan/read_study.hpp"
 #include "tables/cell_tracks.hpp"
 
 #include <fmt/format.h>
@@ -21,8 +21,6 @@
 namespace matrigrate::study {
 
 namespace {
-
-using Tracks = std::shared_ptr<const std::vector<tracks::CellTrack>>;
 
 /// How a file of tracks is to be read, beside `tracks = "FILE"`.
 const std::vector<std::string> track_keys{"pixel",  "interval", "time_unit",   "columns", "layout",
@@ -61,7 +59,7 @@ public:
     for (const std::string& fault : tracks::faults_of(options)) {
       const std::string name = fault.substr(0, fault.find(": "));
       const toml::node* node = m_table.get(name);
-      m_faults.add(node != nullptr ? place_of(*node) : place_of(m_table), key(name), fault.substr(name.size() + 2));
+      m_faults.add(node != nullptr ? *node : m_table, key(name), fault.substr(name.size() + 2));
     }
     return options;
   }
@@ -82,7 +80,7 @@ private:
         throw std::invalid_argument(fmt::format("is {}; write it in {}", units::to_string(own.dimension), unit));
       return units::to_internal(quantity.number, own);
     } catch (const std::invalid_argument& fault) {
-      m_faults.add(place_of(*node), key(name), fmt::format("\"{}\": {}", excerpt(text->get()), fault.what()));
+      m_faults.add(*node, key(name), fmt::format("\"{}\": {}", excerpt(text->get()), fault.what()));
       return std::nullopt;
     }
   }
@@ -96,7 +94,7 @@ private:
         tracks::add_columns(fmt::format("{}={}", std::string_view(name.str()), m_faults.text(value, key("columns"))),
                             names);
     } catch (const std::invalid_argument& fault) {
-      m_faults.add(place_of(node), key("columns"), fault.what());
+      m_faults.add(node, key("columns"), fault.what());
     }
   }
 
@@ -122,7 +120,7 @@ public:
       read_value(table, target);
     if (const auto* node = table.get("weight")) target.weight = positive(*node, "targets.weight");
     if (const auto* node = table.get("at")) target.at = conditions(*node);
-    check_twins(target, place_of(table));
+    check_twins(target, Place(table));
     return target;
   }
 
@@ -136,7 +134,7 @@ private:
   void read_value(const toml::table& table, Target& target) {
     for (const std::string& key : track_keys)
       if (const auto* node = table.get(key))
-        m_faults.add(place_of(*node), fmt::format("targets.{}", key),
+        m_faults.add(*node, fmt::format("targets.{}", key),
                      "tells how tracks are read; there are none: write tracks = \"FILE\"");
     read_range(table, target);
     if (const auto* node =
@@ -148,12 +146,12 @@ private:
   void read_tracks(const toml::node& node, const toml::table& table, Target& target) {
     for (const char* key : {"value", "low", "high", "error"})
       if (const auto* other = table.get(key))
-        m_faults.add(place_of(*other), fmt::format("targets.{}", key), "stands beside tracks, which tell it");
+        m_faults.add(*other, fmt::format("targets.{}", key), "stands beside tracks, which tell it");
     const std::string name = m_faults.text(node, "targets.tracks");
     if (name.empty() || target.readout.empty()) return;
     if (std::ranges::find(tracks::readouts_of_tracks(), target.readout) == tracks::readouts_of_tracks().end())
       return m_faults.add(
-          place_of(node), "targets.tracks",
+          node, "targets.tracks",
           fmt::format("tell no {}; they tell {}", target.readout, fmt::join(tracks::readouts_of_tracks(), ", ")));
     const auto tracks = tracks_of(m_folder / name, node, table, target);
     if (tracks == nullptr) return;
@@ -164,17 +162,17 @@ private:
     target.low = target.high = m.mean;
     target.error = m.sd / std::sqrt(static_cast<double>(m.n));
     if (m.n < 2)
-      m_faults.add(place_of(node), "targets.tracks",
+      m_faults.add(node, "targets.tracks",
                    fmt::format("{} of {} tracks of \"{}\" have a {}: it may need longer tracks or a shorter interval",
                                m.n, values.size(), excerpt(name), target.readout));
     else if (!(target.error > 1e-9 * std::abs(m.mean))) // rounding is no scatter
-      m_faults.add(place_of(node), "targets.tracks",
+      m_faults.add(node, "targets.tracks",
                    fmt::format("all tracks of \"{}\" have the same {}", excerpt(name), target.readout));
   }
 
   /// The tracks of a file, read once for each way in which it is to be read; null, and faults, if it cannot be.
-  Tracks tracks_of(const std::filesystem::path& file, const toml::node& node, const toml::table& table,
-                   Target& target) {
+  MeasuredTracks tracks_of(const std::filesystem::path& file, const toml::node& node, const toml::table& table,
+                           Target& target) {
     std::ostringstream keys; // that tell how it is to be read
     for (const std::string& key : track_keys)
       if (const auto* given = table.get(key))
@@ -192,7 +190,7 @@ private:
     } catch (const ConfigurationError& error) {
       m_faults.add(error.faults());
     } catch (const InputOutputError& error) {
-      m_faults.add(place_of(node), "targets.tracks", error.what());
+      m_faults.add(node, "targets.tracks", error.what());
     }
     return tracks;
   }
@@ -202,23 +200,21 @@ private:
     const toml::node* low = table.get("low");
     const toml::node* high = table.get("high");
     if (value != nullptr && (low != nullptr || high != nullptr))
-      return m_faults.add(place_of(*value), "targets.value",
+      return m_faults.add(*value, "targets.value",
                           "is given together with a range; a target is either a value or a range");
     if (value != nullptr) {
       target.low = target.high = measured(*value, "targets.value").value_or(0.0);
       return;
     }
     if (low == nullptr && high == nullptr)
-      return m_faults.add(place_of(table), "targets.value",
-                          "is missing; write value = 12.1, or low and high of a range");
+      return m_faults.add(table, "targets.value", "is missing; write value = 12.1, or low and high of a range");
     if (low == nullptr || high == nullptr)
-      return m_faults.add(place_of(table), low == nullptr ? "targets.low" : "targets.high",
+      return m_faults.add(table, low == nullptr ? "targets.low" : "targets.high",
                           "is missing; a range has low and high");
     const auto from = measured(*low, "targets.low");
     const auto to = measured(*high, "targets.high");
     if (!from || !to) return;
-    if (!(*from < *to))
-      m_faults.add(place_of(*low), "targets.low", fmt::format("{} is not below high, {}", *from, *to));
+    if (!(*from < *to)) m_faults.add(*low, "targets.low", fmt::format("{} is not below high, {}", *from, *to));
     target.low = *from;
     target.high = *to;
   }
@@ -227,7 +223,7 @@ private:
     constexpr double most = 1e30; // squares of quotients are numbers
     const auto value = m_faults.number(node, key);
     if (value && !(*value >= least && *value <= most))
-      m_faults.add(place_of(node), key, fmt::format("{} is out of range; allowed are {} to {}", *value, least, most));
+      m_faults.add(node, key, fmt::format("{} is out of range; allowed are {} to {}", *value, least, most));
     return value;
   }
 
@@ -240,12 +236,11 @@ private:
       if (const auto c = condition(node)) at.push_back(*c);
       return at;
     }
-    if (list->empty()) m_faults.add(place_of(node), "targets.at", "is empty; leave it out for all conditions");
+    if (list->empty()) m_faults.add(node, "targets.at", "is empty; leave it out for all conditions");
     for (const toml::node& label : *list) {
       const auto c = condition(label);
       const bool twice = c && std::ranges::find(at, *c) != at.end();
-      if (twice)
-        m_faults.add(place_of(label), "targets.at", fmt::format("\"{}\" is listed twice", excerpt(m_labels[*c])));
+      if (twice) m_faults.add(label, "targets.at", fmt::format("\"{}\" is listed twice", excerpt(m_labels[*c])));
       if (c && !twice) at.push_back(*c);
     }
     return at;
@@ -254,7 +249,7 @@ private:
   std::optional<std::size_t> condition(const toml::node& node) {
     const auto* label = node.as_string();
     if (label == nullptr) {
-      m_faults.add(place_of(node), "targets.at",
+      m_faults.add(node, "targets.at",
                    fmt::format("is {}, but the label of a condition, or a list of them, is expected", type_of(node)));
       return std::nullopt;
     }
@@ -262,7 +257,7 @@ private:
     if (found != m_labels.end()) return static_cast<std::size_t>(found - m_labels.begin());
     const std::string known =
         m_labels.empty() ? "the study has no [[conditions]]" : fmt::format("the labels are {}", quoted_list(m_labels));
-    m_faults.add(place_of(node), "targets.at",
+    m_faults.add(node, "targets.at",
                  fmt::format("\"{}\" is not the label of a condition; {}", excerpt(label->get()), known),
                  [typed = label->get(), labels = m_labels] { return did_you_mean(nearest(typed, labels)); });
     return std::nullopt;
@@ -282,7 +277,7 @@ private:
   FaultList& m_faults;
   std::filesystem::path m_folder;
   /// By their files, and by the keys that tell how these are read.
-  std::map<std::pair<std::filesystem::path, std::string>, Tracks> m_tracks;
+  std::map<std::pair<std::filesystem::path, std::string>, MeasuredTracks> m_tracks;
   std::vector<std::string> m_readouts;
   std::vector<std::string> m_labels;
   std::set<std::pair<std::string, std::size_t>> m_seen;
@@ -300,7 +295,6 @@ std::vector<Target> read_targets(const toml::array& list, const std::vector<Cond
 }
 
 std::vector<Target> read_target_file(const std::filesystem::path& file) {
-  constexpr std::size_t largest_file = std::size_t{1} << 25;
   const toml::table document = table_of(read_document(file, largest_file), file.string());
   FaultList faults(file.string());
   std::vector<Target> all;

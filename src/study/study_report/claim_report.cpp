@@ -23,8 +23,7 @@ namespace {
 
 /// The text of a table; empty if it is not there.
 std::string table(const std::filesystem::path& file) {
-  constexpr std::size_t largest = std::size_t{1} << 28U;
-  return std::filesystem::exists(file) ? read_file(file, largest) : std::string();
+  return std::filesystem::exists(file) ? read_file(file, largest_table) : std::string();
 }
 
 /// The studies as the page draws them, from tables beside their runs, or kept side by side. Of runs it first writes

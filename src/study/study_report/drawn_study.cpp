@@ -6,7 +6,7 @@
 #include "observe/readout_table.hpp"
 #include "store/checkpoint.hpp"
 #include "study_plan/names.hpp"
-#include "study_results/read_results.hpp"
+#include "study_results/results.hpp"
 #include "tables/cell_tracks.hpp"
 #include "tables/csv.hpp"
 
@@ -26,6 +26,12 @@ namespace {
 
 using Json = nlohmann::ordered_json; // NaN is written as null
 
+/// Lines of several cells are one list, with null between them.
+void begin_line(Json& lines) {
+  for (Json& column : lines)
+    if (column.is_array() && !column.empty()) column.push_back(nullptr);
+}
+
 /// Lines of x and y, with null before a line of another cell; null if there are no rows.
 Json lines_json(const RowsByRun& all, const std::pair<std::string, std::string>& key) {
   const auto found = all.find(key);
@@ -33,8 +39,7 @@ Json lines_json(const RowsByRun& all, const std::pair<std::string, std::string>&
   Json lines{{"x_um", Json::array()}, {"y_um", Json::array()}};
   double cell = found->second.front().back();
   for (const std::vector<double>& row : found->second) {
-    if (row.size() == 3 && row[2] != cell)
-      for (const char* axis : {"x_um", "y_um"}) lines[axis].push_back(nullptr);
+    if (row.size() == 3 && row[2] != cell) begin_line(lines);
     cell = row.back();
     lines["x_um"].push_back(row[0]);
     lines["y_um"].push_back(row[1]);
@@ -53,16 +58,10 @@ Json groups_json(const Study& study, const std::vector<Result>& results, const s
 constexpr std::size_t most_tracks = 200;
 constexpr std::size_t most_positions = 100;
 
-/// Index of the k-th of `chosen` out of n, the first and the last among them.
-std::size_t evenly(std::size_t k, std::size_t chosen, std::size_t n) {
-  return chosen < 2 ? 0 : k * (n - 1) / (chosen - 1);
-}
-
 double rounded(double um) { return std::round(100.0 * um) / 100.0; }
 
 void add_track(const tracks::CellTrack& track, Json& json) {
-  if (!json["t_s"].empty())
-    for (const char* column : {"t_s", "x_um", "y_um"}) json[column].push_back(nullptr);
+  begin_line(json);
   const std::size_t n = std::min(track.t.size(), most_positions);
   for (std::size_t k = 0; k < n; ++k) {
     const std::size_t i = evenly(k, n, track.t.size());
@@ -80,12 +79,6 @@ bool hold_at(const Study& study, const std::vector<tracks::CellTrack>* tracks, s
 }
 
 constexpr std::size_t path_points = 100;
-
-/// Lines of several cells are one list, with null between them.
-void begin_line(Json& lines) {
-  for (const char* axis : {"x_um", "y_um"})
-    if (!lines[axis].empty()) lines[axis].push_back(nullptr);
-}
 
 /// At most path_points of each cell's path, the last one among them.
 Json path_json(const std::filesystem::path& folder) {
@@ -146,6 +139,10 @@ Json readouts_of_run(const Study& study, const Result& result, const Json& place
 }
 
 } // namespace
+
+std::size_t evenly(std::size_t k, std::size_t chosen, std::size_t n) {
+  return chosen < 2 ? 0 : k * (n - 1) / (chosen - 1);
+}
 
 Json group_json(std::string_view readout, const Json& place, const statistics::Moments& moments,
                 const statistics::Box& box) {
@@ -282,8 +279,7 @@ Json run_json(const Study& study, const std::filesystem::path& study_folder, con
   if (!result.standing.done()) return json;
   json["path"] = path_json(folder);
   json["outline"] = outline_json(folder / store::checkpoint_name);
-  for (const double force :
-       store::csv_column(read_file(folder / "protrusions.csv", std::size_t{1} << 28U), "f_adh_rel"))
+  for (const double force : store::csv_column(read_file(folder / "protrusions.csv", largest_table), "f_adh_rel"))
     if (std::isfinite(force)) json["f_adh_rel"].push_back(force);
   return json;
 }

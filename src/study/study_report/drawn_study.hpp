@@ -25,6 +25,9 @@ nlohmann::ordered_json interval_json(const statistics::Interval& found);
 /// Two points that were compared.   @param places  of all points on the axes
 nlohmann::ordered_json test_json(const Comparison& c, TestKind test, const std::vector<nlohmann::ordered_json>& places);
 
+/// Index of the k-th of `chosen` out of n, the first and the last among them.
+std::size_t evenly(std::size_t k, std::size_t chosen, std::size_t n);
+
 /// The read-outs that a study compares: [{name, label, meaning, unit}].
 nlohmann::ordered_json readouts_json(const Study& study);
 

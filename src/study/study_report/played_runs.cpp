@@ -1,4 +1,4 @@
-#include "study_report/study_data.hpp"
+#include "study_report/study_files.hpp"
 
 #include "base/failure.hpp"
 #include "run/finished_run.hpp"
@@ -43,7 +43,7 @@ std::vector<Choice> typical_ones(const StudyFolder& study, const std::vector<Res
   const std::size_t points = study.study.points.size();
   const std::size_t n = std::min(points, max_runs);
   for (std::size_t k = 0; k < n; ++k)
-    if (auto choice = typical(study, results, n == 1 ? 0 : k * (points - 1) / (n - 1))) chosen.push_back(*choice);
+    if (auto choice = typical(study, results, evenly(k, n, points))) chosen.push_back(*choice);
   return chosen;
 }
 

@@ -21,7 +21,6 @@ namespace matrigrate::study {
 
 namespace {
 
-constexpr std::size_t largest_table = std::size_t{1} << 28U;
 constexpr double path_interval = 600.0; // [s]
 constexpr std::size_t replicates_shown = 3;
 

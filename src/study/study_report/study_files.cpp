@@ -3,26 +3,187 @@
 #include "base/failure.hpp"
 #include "base/file.hpp"
 #include "claims/claims.hpp"
+#include "parameters/schema.hpp"
 #include "report/run_page.hpp"
 #include "run/folder_state.hpp"
 #include "run/own_files.hpp"
 #include "run/provenance.hpp"
 #include "run/run_record.hpp"
+#include "statistics/correlation.hpp"
+#include "study_plan/names.hpp"
+#include "study_plan/settings.hpp"
+#include "study_report/drawn_study.hpp"
 #include "study_report/run_curves.hpp"
 #include "tables/csv.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cmath>
+#include <limits>
 #include <map>
+#include <system_error>
 
 namespace matrigrate::study {
 
 namespace {
 
+using Json = nlohmann::ordered_json; // NaN is written as null
+
+/// Where a point has enough runs.
+Json correlation_json(const StudyReport& report) {
+  std::map<std::size_t, std::size_t> runs; // at each point
+  std::size_t most = 0;
+  for (const Result& r : report.results)
+    if (r.standing.done()) most = std::max(most, ++runs[r.run.point]);
+  const Correlations found = correlations(report.study, report.results);
+  if (most < least_runs || found.readouts.size() < 2) return {};
+  Json r = Json::array(), p = Json::array(), n = Json::array();
+  for (const auto& row : found.pairs) {
+    for (Json* matrix : {&r, &p, &n}) matrix->push_back(Json::array());
+    for (const statistics::Correlation& c : row) {
+      r.back().push_back(c.r);
+      p.back().push_back(c.p);
+      n.back().push_back(c.n);
+    }
+  }
+  return {{"names", found.readouts}, {"r", r}, {"p", p}, {"p_holm", found.p_holm}, {"n", n}};
+}
+
+/// Read-outs over factors where the points are no grid: values of numbers in the unit of their row, one a point, and
+/// for each read-out Spearman's correlation of the means of points, with p after Holm over all of them.
+Json scatter_json(const StudyReport& report) {
+  const Json axes = axes_json(report.study);
+  if (axes.empty() || (axes.at(0).at("name") != "point" && axes.at(0).at("name") != "factors")) return {};
+  const std::vector<ReadOutSample> means = samples(report.study, report.results);
+  Json factors = Json::array();
+  std::vector<double> all_p;
+  for (const std::string& key : swept_keys(report.study)) {
+    const Row& row = *find_row(key, report.study.base);
+    std::vector<double> values;
+    for (const Point& point : report.study.points)
+      if (const auto value = number_in_unit(row, point.parameters)) values.push_back(*value);
+    if (values.size() != report.study.points.size() || std::ranges::min(values) == std::ranges::max(values)) continue;
+    Json correlations = Json::array();
+    for (const std::string& readout : report.study.readouts) {
+      std::vector<double> y(values.size(), std::numeric_limits<double>::quiet_NaN());
+      for (const ReadOutSample& s : means)
+        if (s.readout == readout) y[s.point] = s.moments.mean;
+      const statistics::Correlation c = statistics::spearman(values, y);
+      all_p.push_back(c.p);
+      correlations.push_back({{"readout", readout}, {"rho", c.r}, {"n", c.n}});
+    }
+    factors.push_back({{"name", key},
+                       {"label", Names::whole(key)},
+                       {"meaning", row.description},
+                       {"unit", row.unit == "1" ? "" : row.unit},
+                       {"values", values},
+                       {"correlations", correlations}});
+  }
+  const std::vector<double> holm = statistics::holm(all_p);
+  std::size_t next = 0;
+  for (Json& factor : factors)
+    for (Json& c : factor["correlations"]) c["p_holm"] = holm[next++];
+  return {{"points", places(report.study)}, {"factors", factors}};
+}
+
+/// What was measured, with its error; "" of no condition.
+Json targets_json(const Study& study) {
+  Json list = Json::array();
+  for (const Target& t : study.targets) {
+    std::vector<std::string> at;
+    for (const std::size_t c : t.at) at.push_back(study.conditions[c].label);
+    list.push_back({{"readout", t.readout},
+                    {"low", t.low},
+                    {"high", t.high},
+                    {"error", t.error},
+                    {"at", fmt::format("{}", fmt::join(at, ", "))}});
+  }
+  return list;
+}
+
+/// "Stiffness: 4 points x 12 replicates": studies with one title are told apart.
+std::string titled(const Study& study) {
+  return fmt::format("{}: {} point{} x {} replicate{}", study.title.empty() ? "Study" : study.title,
+                     study.points.size(), study.points.size() == 1 ? "" : "s", study.replicates,
+                     study.replicates == 1 ? "" : "s");
+}
+
+/// Command, date, versions of the program, runs done: from the files of the folder alone.
+Json facts_json(const StudyReport& report) {
+  std::size_t done = 0;
+  std::string last;
+  for (const Result& r : report.results) {
+    if (!r.standing.done()) continue;
+    ++done;
+    last = std::max(last, r.standing.end);
+  }
+  Json facts = Json::array();
+  const auto add = [&](const char* name, const std::string& value) {
+    if (!value.empty()) facts.push_back({{"name", name}, {"value", value}});
+  };
+  add("command", report.command);
+  if (last.size() >= 16) add("date", fmt::format("{} {} UTC", last.substr(0, 10), last.substr(11, 5)));
+  const std::vector<std::string> programs = programs_of(report.results);
+  if (!programs.empty()) add("program", fmt::format("matrigrate {}", fmt::join(programs, ", ")));
+  add("runs done", fmt::format("{} of {}", done, report.results.size()));
+  return facts;
+}
+
+/// "Speed, start to end (v_migr_abs)"; the label alone of a read-out without words.
+std::string named(const Json& readout) {
+  std::string label = readout.at("label");
+  std::string meaning = readout.at("meaning");
+  if (meaning == label || meaning == readout.at("name")) return label;
+  meaning.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(meaning.front())));
+  return fmt::format("{} ({})", meaning, label);
+}
+
+/// What came out of the first read-out, in a sentence: its extremes, and how many comparisons are significant, if any
+/// were wanted.
+std::string result_sentence(const StudyReport& report) {
+  if (report.study.readouts.empty()) return {};
+  const Json readout = readouts_json(report.study).at(0);
+  std::vector<ReadOutSample> defined = samples(report.study, report.results);
+  std::erase_if(defined, [&](const ReadOutSample& s) { return readout.at("name") != s.readout || s.moments.n == 0; });
+  const std::string label = named(readout);
+  if (defined.empty()) return fmt::format("{}: no run has a value yet.", label);
+  std::string unit = readout.at("unit");
+  if (!unit.empty()) unit = " " + unit;
+  const auto value = [&](const ReadOutSample& s) {
+    return fmt::format("{:.3g}{} (mean of {} run{}) at {}", s.moments.mean, unit, s.moments.n,
+                       s.moments.n == 1 ? "" : "s", point_text(report.study, s.point));
+  };
+  const auto [low, high] = std::ranges::minmax_element(defined, {}, [](const auto& s) { return s.moments.mean; });
+  if (defined.size() == 1) return fmt::format("{} is {}.", label, value(*low));
+  if (std::min(low->moments.n, high->moments.n) < least_runs)
+    return fmt::format(
+        "{} goes from {:.3g} to {:.3g}{} over {} points; of fewer than {} runs none is called the lowest "
+        "or the highest.",
+        label, low->moments.mean, high->moments.mean, unit, defined.size(), least_runs);
+  std::size_t tested = 0;
+  std::size_t significant = 0;
+  for (const Comparison& c : report.comparisons) {
+    const bool enough = std::min(c.sample_a.n, c.sample_b.n) >= least_runs;
+    if (readout.at("name") != c.readout || !enough || std::isnan(c.p_holm)) continue;
+    ++tested;
+    if (c.p_holm < report.study.comparisons.alpha) ++significant;
+  }
+  const std::string extremes = fmt::format("{} is lowest, {}, and highest, {}", label, value(*low), value(*high));
+  if (report.study.comparisons.pairs == Pairs::none) return extremes + ".";
+  return extremes + "; "
+         + (tested == 0
+                ? fmt::format("no comparison has {} runs at both points.", least_runs)
+                : fmt::format("{} of {} comparisons {} significant (p < {:.3g} after Holm's correction).", significant,
+                              tested, significant == 1 ? "is" : "are", report.study.comparisons.alpha));
+}
+
 /// The command that computes the study again, from the file in its folder.
 std::string command_of(const StudyFolder& study) {
-  const std::filesystem::path folder = std::filesystem::absolute(study.folder).lexically_normal();
-  const std::filesystem::path name = (folder.has_filename() ? folder : folder.parent_path()).filename();
+  const std::filesystem::path name = full_path(study.folder).filename();
   return run::command_text({"matrigrate", "study", "run", (name / "study.resolved.toml").string()});
 }
 
@@ -48,7 +209,6 @@ void write_curves(const StudyFolder& study, const std::vector<Result>& results) 
 
 /// The rows of results.csv in the folder of the study; none if there is no such table.
 store::CsvTable table_there(const StudyFolder& study) {
-  constexpr std::size_t largest_table = std::size_t{1} << 28U;
   const std::filesystem::path file = study.folder / "results.csv";
   std::error_code error;
   if (!std::filesystem::is_regular_file(file, error)) return {};
@@ -60,6 +220,38 @@ store::CsvTable table_there(const StudyFolder& study) {
 }
 
 } // namespace
+
+Json study_data(const StudyReport& report) {
+  const std::vector<Json> place = places(report.study);
+  const auto done = std::ranges::count_if(report.results, [](const Result& r) { return r.standing.done(); });
+  Json runs = Json::array();
+  for (const Result& result : report.results)
+    runs.push_back(run_json(report.study, report.folder, result, place[result.run.point]));
+  Json msd = Json::array();
+  for (std::size_t i = 0; i < place.size(); ++i)
+    msd.push_back(msd_json(mean_msd(report.results, i, report.folder), place[i]));
+  std::string status = fmt::format("{} of {} runs done.", done, report.results.size());
+  if (const std::string rim = rim_text(report.study, report.results); !rim.empty()) status += " " + rim;
+  Json data{{"format", "matrigrate-study"},
+            {"version", 1},
+            {"title", titled(report.study)},
+            {"status", status},
+            {"summary", result_sentence(report)},
+            {"facts", facts_json(report)},
+            {"runs", std::move(runs)},
+            {"msd", std::move(msd)},
+            {"correlation", correlation_json(report)},
+            {"scatter", scatter_json(report)},
+            {"claims", claims_json(report.claims)},
+            {"claims_note", report.claims_note},
+            {"targets", targets_json(report.study)},
+            {"players", report.played},
+            {"measured", measured_json(report.study, report.tracks, place)},
+            {"provenance", report.provenance},
+            {"citation", report::citation()}};
+  data.update(compared_json(report.study, report.results, report.comparisons));
+  return data;
+}
 
 std::vector<std::string> gone_runs(const StudyFolder& study, const std::vector<Result>& now) {
   const store::CsvTable table = table_there(study);

@@ -12,6 +12,7 @@
 #include "statistics/sample.hpp"
 #include "store/checkpoint.hpp"
 #include "store/run_memory.hpp"
+#include "study_plan/names.hpp"
 #include "tables/state_json.hpp"
 #include "tables/table.hpp"
 
@@ -29,20 +30,15 @@ namespace matrigrate::study {
 
 namespace {
 
-using nlohmann::json;
+using Json = nlohmann::ordered_json;
 using statistics::undefined;
 
 constexpr std::size_t largest_json = std::size_t{1} << 24;
 
-template <class T>
-T value_or(const json& object, const char* key, T otherwise) {
+/// A number of an object; undefined where there is none.
+double number_of(const Json& object, const char* key) {
   const auto found = object.find(key);
-  if (found == object.end() || found->is_null()) return otherwise;
-  try {
-    return found->get<T>();
-  } catch (const json::exception&) {
-    return otherwise;
-  }
+  return found != object.end() && found->is_number() ? found->get<double>() : undefined;
 }
 
 /// The last line of a text that says something.
@@ -68,24 +64,12 @@ Standing from_log(const std::filesystem::path& log) {
   return s;
 }
 
-/// The number of a swept parameter in the unit of its row, or the word of a choice.
-std::string swept_text(const Point& point, const std::string& key) {
-  const Row& row = *find_row(key, point.parameters);
-  std::string text = meaning_text(row, point.parameters);
-  std::erase(text, '"');
-  if (kind(row) != Kind::quantity) return text;
-  const auto quantity = units::parse_quantity(text);
-  if (quantity.unit == row.unit) return quantity.number;
-  const double internal = units::to_internal(quantity.number, units::parse_unit(quantity.unit));
-  return fmt::format("{}", units::number_in(internal, units::parse_unit(row.unit)));
-}
-
 /// A read-out of summary.json; of several cells its mean over those for which it is defined.
-double summary_readout(const json& summary, const char* name) {
+double summary_readout(const Json& summary, const char* name) {
   const auto cells = summary.find("cells");
-  if (cells == summary.end() || !cells->is_array()) return value_or(summary, name, undefined);
+  if (cells == summary.end() || !cells->is_array()) return number_of(summary, name);
   std::vector<double> values;
-  for (const json& cell : *cells) values.push_back(value_or(cell, name, undefined));
+  for (const Json& cell : *cells) values.push_back(number_of(cell, name));
   return statistics::mean_of_defined(values);
 }
 
@@ -131,10 +115,10 @@ std::size_t columns_of(const Study& study) {
 
 std::vector<double> readouts_of(const std::filesystem::path& folder) {
   require_whole(folder);
-  const json summary = store::parse_json(read_file(folder / "summary.json", largest_json));
+  const Json summary = store::parse_json(read_file(folder / "summary.json", largest_json));
   if (summary.is_discarded()) throw InputOutputError(fmt::format("{}/summary.json: is no JSON", folder.string()));
   std::vector<double> values;
-  const json& cell = summary.contains("cells") && !summary["cells"].empty() ? summary["cells"].front() : summary;
+  const Json& cell = summary.contains("cells") && !summary["cells"].empty() ? summary["cells"].front() : summary;
   const bool whole = cell.contains(readout_table().back().name);
   for (const ReadOutSpec& spec : readout_table()) values.push_back(summary_readout(summary, spec.name.data()));
   if (!whole) run::add_from_tables(folder, values);
@@ -154,27 +138,26 @@ std::filesystem::path run_log(const std::filesystem::path& study_folder, const R
 Standing standing(const std::filesystem::path& study_folder, const Run& run) {
   const std::filesystem::path file = run_folder(study_folder, run) / "run.json";
   Standing s;
+  s.status = RunState::unfinished;
   if (!std::filesystem::exists(file)) {
     if (!run::has_checkpoint(file.parent_path())) return from_log(run_log(study_folder, run));
-    s.status = RunState::unfinished;
     s.reason = "run.json is missing";
     return s;
   }
-  const json record = store::parse_json(read_file(file, largest_json));
+  const Json record = store::parse_json(read_file(file, largest_json));
   if (record.is_discarded() || !record.is_object()) {
-    s.status = RunState::unfinished;
     s.reason = "run.json is no JSON";
     return s;
   }
-  s.status = state_of(run::parse_run_status(value_or(record, "status", std::string())));
-  if (const int code = value_or(record, "exit_code", -1); code >= 0) s.exit_code = code;
-  s.reason = value_or(record, "reason", std::string());
-  s.cause = parse_failure_cause(value_or(record, "cause", std::string()));
-  s.trajectory_hash = value_or(record, "trajectory_hash", std::string());
-  s.end = value_or(record, "end", std::string());
+  s.status = state_of(run::status_of(record));
+  if (const double code = number_of(record, "exit_code"); code >= 0.0) s.exit_code = static_cast<int>(code);
+  s.reason = run::text_of(record, "reason");
+  s.cause = parse_failure_cause(run::text_of(record, "cause"));
+  s.trajectory_hash = run::text_of(record, "trajectory_hash");
+  s.end = run::text_of(record, "end");
   for (const std::string& program : run::programs_of(record))
     s.programs.push_back(program.substr(program.find(' ') + 1));
-  s.wall_time = value_or(record, "wall_time_s", 0.0);
+  if (const double time = number_of(record, "wall_time_s"); time > 0.0) s.wall_time = time;
   if (s.done() && !run::has_summary(file.parent_path())) {
     s.status = RunState::unfinished;
     s.reason = "summary.json is missing or damaged";
@@ -297,30 +280,30 @@ std::vector<std::string> swept_columns(const Study& study) {
 
 std::vector<std::string> swept_values(const Study& study, const Point& point) {
   std::vector<std::string> values;
-  for (const std::string& key : swept_keys(study)) values.push_back(swept_text(point, key));
+  for (const std::string& key : swept_keys(study))
+    values.push_back(swept_text(*find_row(key, point.parameters), point.parameters));
   return values;
 }
 
 std::string results_csv(const Study& study, const std::vector<Result>& results) {
-  std::vector<std::string> names{"run", "label"};
-  for (const std::string& name : swept_columns(study)) names.push_back(name);
-  for (const char* name : {"replicate", "seed", "status", "reason", "cause", "trajectory_hash"})
-    names.emplace_back(name);
+  using View = std::string_view;
   std::vector<std::string> columns = all_readouts();
   columns.resize(columns_of(study));
-  names.insert(names.end(), columns.begin(), columns.end());
+  const auto names = concatenated<std::string>({{"run", "label"},
+                                                swept_columns(study),
+                                                {"replicate", "seed", "status", "reason", "cause", "trajectory_hash"},
+                                                columns});
   std::string text = store::csv_line({names.begin(), names.end()});
   for (const Result& r : results) {
     const Point& point = study.points[r.run.point];
+    const Standing& s = r.standing;
     const std::vector<std::string> swept = swept_values(study, point);
-    std::vector<store::Field> row{std::string_view(r.run.hash), std::string_view(point.label)};
-    for (const std::string& value : swept) row.emplace_back(std::string_view(value));
-    row.insert(row.end(), {std::uint64_t{r.run.replicate}, r.run.seed, to_string(r.standing.status),
-                           std::string_view(r.standing.reason),
-                           r.standing.cause ? to_string(*r.standing.cause) : std::string_view(),
-                           std::string_view(r.standing.trajectory_hash)});
-    for (std::size_t k = 0; k < columns.size(); ++k) row.emplace_back(r.readouts[k]);
-    text += store::csv_line(row);
+    text += store::csv_line(
+        concatenated<store::Field>({{View(r.run.hash), View(point.label)},
+                                    {swept.begin(), swept.end()},
+                                    {std::uint64_t{r.run.replicate}, r.run.seed, to_string(s.status), View(s.reason),
+                                     s.cause ? to_string(*s.cause) : View(), View(s.trajectory_hash)},
+                                    {r.readouts.begin(), r.readouts.begin() + std::ssize(columns)}}));
   }
   return text;
 }

@@ -6,14 +6,19 @@
 
 #include <array>
 #include <filesystem>
+#include <initializer_list>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 /// The results of the runs of a study, from the files of a study folder. They may be read at any time.
 /// Test: tests/unit/study_results/comparison_test.cpp, tests/apps/study_test.cpp
 namespace matrigrate::study {
+
+inline constexpr std::size_t largest_table = std::size_t{1} << 28U; ///< bytes that are read
 
 /// The folder of a run, and the file that its output goes to while it is computed.
 std::filesystem::path run_folder(const std::filesystem::path& study_folder, const Run& run);
@@ -106,5 +111,32 @@ std::string results_csv(const Study& study, const std::vector<Result>& results);
 
 /// "Pa" -> "_Pa", "1/s" -> "_per_s", "nN s/um" -> "_nN_s_per_um"; nothing for a ratio.
 std::string unit_suffix(std::string_view unit);
+
+/// One list of several.
+template <class T>
+std::vector<T> concatenated(std::initializer_list<std::vector<T>> parts) {
+  std::vector<T> all;
+  for (const std::vector<T>& part : parts) all.insert(all.end(), part.begin(), part.end());
+  return all;
+}
+
+// From the tables of a study alone, so that claims can be judged anew by what was kept of runs that are no longer
+// there. Test: tests/unit/study_results/read_results_test.cpp
+
+/// All rows of results.csv, for runs that are no longer there, point by point: name, seed, status, fingerprint and
+/// read-outs of each run. Read-outs that came after the table are NaN.
+/// @param name  stands for the file in messages
+/// @throws InputOutputError with the first 20 faults, by line and column, if the text is no results.csv of this study:
+///         no table, a column missing, unknown or there twice, a field that is no number, a label, parameter or
+///         duration that is none of the study's, or a number of runs other than the study's
+std::vector<Result> read_results(const Study& study, std::string_view csv, const std::string& name);
+
+/// Numbers of a table by the label of the point and the replicate, which is "" in tables without.
+using RowsByRun = std::map<std::pair<std::string, std::string>, std::vector<std::vector<double>>>;
+
+/// The named columns of a table whose rows belong to runs or points, and, where it has several cells, these behind
+/// them.
+/// @throws InputOutputError if a column is not there
+RowsByRun rows_by_run(std::string_view csv, const std::vector<std::string_view>& columns);
 
 } // namespace matrigrate::study

@@ -15,11 +15,9 @@ namespace matrigrate::study {
 
 namespace {
 
-constexpr std::size_t largest_tracks = std::size_t{1} << 28;
-
 /// tracks.csv of a run, whole.
 std::string tracks_of(const std::filesystem::path& file) {
-  std::string text = read_file(file, largest_tracks);
+  std::string text = read_file(file, largest_table);
   if (!text.ends_with('\n')) throw InputOutputError(fmt::format("{}: is damaged: it is cut short", file.string()));
   try {
     store::read_csv(text);
@@ -38,19 +36,16 @@ std::string line_of(const std::vector<store::Field>& fields) {
 
 /// The columns before those of tracks.csv.
 std::string front_names(const Study& study) {
-  std::vector<std::string> names{"run", "label"};
-  for (const std::string& name : swept_columns(study)) names.push_back(name);
-  for (const char* name : {"replicate", "seed"}) names.emplace_back(name);
+  const auto names = concatenated<std::string>({{"run", "label"}, swept_columns(study), {"replicate", "seed"}});
   return line_of({names.begin(), names.end()});
 }
 
 std::string front_values(const Study& study, const Run& run) {
   const Point& point = study.points[run.point];
   const std::vector<std::string> swept = swept_values(study, point);
-  std::vector<store::Field> row{std::string_view(run.hash), std::string_view(point.label)};
-  for (const std::string& value : swept) row.emplace_back(std::string_view(value));
-  row.insert(row.end(), {std::uint64_t{run.replicate}, run.seed});
-  return line_of(row);
+  return line_of(concatenated<store::Field>({{std::string_view(run.hash), std::string_view(point.label)},
+                                             {swept.begin(), swept.end()},
+                                             {std::uint64_t{run.replicate}, run.seed}}));
 }
 
 /// The columns of all runs that are done: runs with a nucleus have further ones behind those of the others.

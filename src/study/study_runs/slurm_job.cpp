@@ -42,63 +42,16 @@ std::optional<long> seconds(const std::string& time) {
   return part[8].matched ? 60 * number(8) : 3600 * number(5) + 60 * number(6) + number(7);
 }
 
+bool is_memory(std::string_view text) {
+  const std::size_t digits = std::min(text.find_first_not_of("0123456789"), text.size());
+  const std::string_view unit = text.substr(digits);
+  return digits > 0 && digits <= 12 && unit.size() <= 1 && std::string_view("KMGTkmgt").find(unit) != unit.npos;
+}
+
 bool is_word(std::string_view text, std::string_view signs) {
   return std::ranges::all_of(text, [signs](char c) {
     return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || signs.find(c) != signs.npos;
   });
-}
-
-/// Collects what is wrong with the options.
-class Faults {
-public:
-  void add(const std::string& option, const std::string& value, const std::string& message) {
-    m_faults.push_back({option, 0, 0, "", fmt::format("\"{}\" {}", shown(value), message)});
-  }
-  /// A value, if there is one, that is made of letters, digits and these signs and does not begin with one of them, an
-  /// underscore aside.
-  void check_word(const std::string& option, const std::string& value, std::string_view signs) {
-    if (!value.empty() && (!is_word(value, signs) || !is_word(value.substr(0, 1), "_")))
-      add(option, value,
-          fmt::format("is not allowed: a letter, a digit or an underscore, and then letters, digits and {}", signs));
-  }
-  std::vector<Fault> all() && { return std::move(m_faults); }
-
-private:
-  std::vector<Fault> m_faults;
-};
-
-void check_memory(Faults& faults, const std::string& memory) {
-  const std::size_t digits = std::min(memory.find_first_not_of("0123456789"), memory.size());
-  const std::string_view unit = std::string_view(memory).substr(digits);
-  if (!memory.empty()
-      && (digits == 0 || digits > 12 || unit.size() > 1 || std::string_view("KMGTkmgt").find(unit) == unit.npos))
-    faults.add("--mem", memory, "is no size of memory; allowed is a number with K, M, G or T, as in 500M");
-}
-
-void check_time(Faults& faults, const std::string& time) {
-  if (time.empty()) return;
-  const std::optional<long> limit = seconds(time);
-  if (!limit)
-    faults.add("--time", time, fmt::format("is no time limit of Slurm, which knows {}", time_formats));
-  else if (*limit > 0 && *limit < shortest_time_limit)
-    faults.add("--time", time,
-               fmt::format("is too short: a task is stopped {} s before its time limit; allowed is 5:00 and more",
-                           seconds_to_stop));
-}
-
-void check_folder(Faults& faults, const std::filesystem::path& folder) {
-  const std::string name = std::filesystem::absolute(folder).string();
-  if (std::ranges::any_of(name, [](char c) { return is_control(c) || c == '"' || c == '\\'; }))
-    faults.add("-o", name,
-               "holds a control character, a double quote or a backslash, which the name of Slurm's output file cannot "
-               "hold; choose another folder");
-}
-
-void check_more(Faults& faults, const std::vector<std::string>& more) {
-  if (!more.empty() && !more.front().starts_with('-'))
-    faults.add("--", more.front(), "is no option of sbatch: it does not begin with a hyphen");
-  for (const std::string& word : more)
-    if (std::ranges::any_of(word, is_control)) faults.add("--", word, "holds a control character");
 }
 
 /// What the batch script does: the task in the background, so that the shell can pass on signals and see exit code 75.
@@ -122,40 +75,58 @@ fi
 exit "$code"
 )";
 
+/// A text with each of these characters written otherwise.
+std::string escaped(const std::string& text, char sign, std::string_view instead) {
+  std::string all;
+  for (const char c : text) all += c == sign ? std::string(instead) : std::string(1, c);
+  return all;
+}
+
 /// A word for a shell.
 std::string quoted(const std::string& word) {
   if (!word.empty() && is_word(word, "_./:=,@%+-")) return word;
-  std::string text = "'";
-  for (const char c : word) text += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  return text + "'";
-}
-
-/// A path in the name of an output file of Slurm, in which % begins a replacement.
-std::string output_pattern(const std::string& path) {
-  std::string text;
-  for (const char c : path) text += c == '%' ? std::string("%%") : std::string(1, c);
-  return text;
-}
-
-void check_launcher(Faults& faults, const std::vector<std::string>& launcher) {
-  for (const std::string& word : launcher)
-    if (std::ranges::any_of(word, is_control)) faults.add("--launcher", word, "holds a control character");
+  return fmt::format("'{}'", escaped(word, '\'', "'\\''"));
 }
 
 } // namespace
 
 std::vector<Fault> slurm_faults(const SlurmOptions& options, const std::filesystem::path& folder) {
-  Faults faults;
-  faults.check_word("--account", options.account, "_.:@+-");
-  faults.check_word("--partition", options.partition, "_.:@+-,");
-  faults.check_word("--qos", options.qos, "_.:@+-,");
-  faults.check_word("--mail-user", options.mail_user, "_.:@+-,%");
-  check_memory(faults, options.memory);
-  check_time(faults, options.time);
-  check_folder(faults, folder);
-  check_more(faults, options.more);
-  check_launcher(faults, options.launcher);
-  return std::move(faults).all();
+  std::vector<Fault> faults;
+  const auto add = [&](const std::string& option, const std::string& value, const std::string& message) {
+    faults.push_back({option, 0, 0, "", fmt::format("\"{}\" {}", shown(value), message)});
+  };
+  const auto check_word = [&](const std::string& option, const std::string& value, std::string_view signs) {
+    if (!value.empty() && (!is_word(value, signs) || !is_word(value.substr(0, 1), "_")))
+      add(option, value,
+          fmt::format("is not allowed: a letter, a digit or an underscore, and then letters, digits and {}", signs));
+  };
+  const auto check_controls = [&](const std::string& option, const std::vector<std::string>& words) {
+    for (const std::string& word : words)
+      if (std::ranges::any_of(word, is_control)) add(option, word, "holds a control character");
+  };
+  check_word("--account", options.account, "_.:@+-");
+  check_word("--partition", options.partition, "_.:@+-,");
+  check_word("--qos", options.qos, "_.:@+-,");
+  check_word("--mail-user", options.mail_user, "_.:@+-,%");
+  if (!options.memory.empty() && !is_memory(options.memory))
+    add("--mem", options.memory, "is no size of memory; allowed is a number with K, M, G or T, as in 500M");
+  const std::optional<long> limit = options.time.empty() ? 0L : seconds(options.time);
+  if (!limit)
+    add("--time", options.time, fmt::format("is no time limit of Slurm, which knows {}", time_formats));
+  else if (*limit > 0 && *limit < shortest_time_limit)
+    add("--time", options.time,
+        fmt::format("is too short: a task is stopped {} s before its time limit; allowed is 5:00 and more",
+                    seconds_to_stop));
+  const std::string name = std::filesystem::absolute(folder).string();
+  if (std::ranges::any_of(name, [](char c) { return is_control(c) || c == '"' || c == '\\'; }))
+    add("-o", name,
+        "holds a control character, a double quote or a backslash, which the name of Slurm's output file cannot hold; "
+        "choose another folder");
+  if (!options.more.empty() && !options.more.front().starts_with('-'))
+    add("--", options.more.front(), "is no option of sbatch: it does not begin with a hyphen");
+  check_controls("--", options.more);
+  check_controls("--launcher", options.launcher);
+  return faults;
 }
 
 std::vector<std::string> sbatch_command(const SlurmOptions& options, const std::filesystem::path& script) {
@@ -176,9 +147,6 @@ std::string job_script(const SlurmOptions& options, const std::filesystem::path&
   const std::string path = std::filesystem::absolute(folder).string();
   std::string text = "#!/bin/bash\n";
   const auto add = [&text](const std::string& option) { text += "#SBATCH " + option + "\n"; };
-  const auto add_if = [&add](const std::string& option, const std::string& value) {
-    if (!value.empty()) add(option + "=" + value);
-  };
   add("--job-name=matrigrate");
   add(fmt::format("--array=0-{}{}", tasks - 1, options.throttle > 0 ? fmt::format("%{}", options.throttle) : ""));
   add("--ntasks=1");
@@ -186,13 +154,12 @@ std::string job_script(const SlurmOptions& options, const std::filesystem::path&
   add("--requeue");
   add("--open-mode=append");
   add(fmt::format("--signal=B:USR1@{}", seconds_to_stop));
-  add(fmt::format("--output=\"{}/slurm/%A_%a.out\"", output_pattern(path)));
-  add_if("--account", options.account);
-  add_if("--partition", options.partition);
-  add_if("--qos", options.qos);
-  add_if("--time", options.time);
-  add_if("--mem", options.memory);
-  add_if("--mail-user", options.mail_user);
+  add(fmt::format("--output=\"{}/slurm/%A_%a.out\"", escaped(path, '%', "%%"))); // % begins a replacement
+  for (const auto& [option, value] :
+       {std::pair("--account=", options.account), std::pair("--partition=", options.partition),
+        std::pair("--qos=", options.qos), std::pair("--time=", options.time), std::pair("--mem=", options.memory),
+        std::pair("--mail-user=", options.mail_user)})
+    if (!value.empty()) add(option + value);
   if (!options.mail_user.empty()) add("--mail-type=END,FAIL"); // without it Slurm sends nothing
   if (!options.more.empty()) text += "# submitted by: " + shell_text(sbatch_command(options, "submit.sh")) + "\n";
   const std::vector<std::string> program =

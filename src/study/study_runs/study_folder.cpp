@@ -25,7 +25,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t largest_file = std::size_t{1} << 25;
 constexpr const char* study_file = "study.resolved.toml";
 constexpr const char* scenario_file = "scenario.resolved.toml";
 
@@ -69,19 +68,12 @@ bool holds_points(const StudyFolder& study) {
   }
 }
 
-void write_if_new(const fs::path& file, const std::string& text) {
-  if (!is_text(file, text)) write_file(file, text);
-}
-
 /// The points of a study by what decides on their first runs, and how people call them.
 std::map<std::string, std::string> points_of(const StudyFolder& study) {
   std::map<std::string, std::string> points;
   const Names names(study.study);
   for (const Run& run : study.runs)
-    if (run.replicate == 1) {
-      std::string text = label_of(study.study.points[run.point].settings, names, true);
-      points.emplace(run.hash, std::move(text));
-    }
+    if (run.replicate == 1) points.emplace(run.hash, label_of(study.study.points[run.point].settings, names, true));
   return points;
 }
 
@@ -223,6 +215,11 @@ std::filesystem::path default_study_folder(const std::filesystem::path& file) {
   return file.stem().string() + "-study";
 }
 
+std::filesystem::path full_path(const std::filesystem::path& folder) {
+  const fs::path place = fs::absolute(folder).lexically_normal();
+  return place.has_filename() ? place : place.parent_path();
+}
+
 void require_own_folder(const StudyFolder& study) {
   run::FolderState state = run::look_at(study.folder);
   if (state.has(run::Holds::a_study))
@@ -243,7 +240,8 @@ void write_study(const StudyFolder& study) {
   if (!holds_base(study)) write_file(study.folder / scenario_file, base_text(study));
   const auto sets = measured_sets(study.study);
   for (std::size_t k = 0; k < sets.size(); ++k)
-    write_if_new(study.folder / measured_file(k), tracks::measured_csv(*sets[k]));
+    if (const std::string text = tracks::measured_csv(*sets[k]); !is_text(study.folder / measured_file(k), text))
+      write_file(study.folder / measured_file(k), text);
   if (!holds_points(study)) write_file(study.folder / study_file, to_toml(study.study, scenario_file));
 }
 
@@ -258,10 +256,8 @@ std::vector<std::string> run_command(const StudyFolder& study, const Run& run, i
     command.emplace_back("--set");
     command.push_back(s.key + "=" + s.value);
   }
-  for (const std::string& word :
-       {std::string("--seed"), fmt::format("{}", run.seed), std::string("--threads"), fmt::format("{}", threads),
-        std::string("-o"), run_folder(study.folder, run).string(), std::string("--quiet")})
-    command.push_back(word);
+  command.insert(command.end(), {"--seed", fmt::to_string(run.seed), "--threads", fmt::to_string(threads), "-o",
+                                 run_folder(study.folder, run).string(), "--quiet"});
   return command;
 }
 

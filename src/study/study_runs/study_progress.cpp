@@ -1,4 +1,4 @@
-#include "study_runs/study_progress.hpp"
+#include "study_runs/study_folder.hpp"
 
 #include "base/failure.hpp"
 #include "base/file.hpp"
@@ -16,6 +16,7 @@
 #include <cerrno>
 #include <chrono>
 #include <map>
+#include <stdexcept>
 #include <tuple>
 
 namespace matrigrate::study {
@@ -23,8 +24,6 @@ namespace matrigrate::study {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr std::size_t largest_table = std::size_t{1} << 28U;
 
 /// True if a process works in the folder of a run. A process that begins a run waits until this test is over.
 bool is_worked_on(const fs::path& folder) {
@@ -53,16 +52,15 @@ double time_spent(const fs::path& folder) {
 std::optional<RunningRun> running_run(const StudyFolder& study, std::size_t i) {
   const fs::path folder = run_folder(study.folder, study.runs[i]);
   if (!is_worked_on(folder)) return {};
+  RunningRun run{.run = i, .share = 0.0, .left = {}};
   try {
     const double whole = study.study.points[study.runs[i].point].parameters.run.duration;
-    RunningRun run{.run = i, .share = std::min(1.0, time_reached(folder) / whole), .left = {}};
-    if (run.share > 0.0) run.left = time_spent(folder) * (1.0 - run.share) / run.share;
-    return run;
-  } catch (const InputOutputError&) { // its first files are being written
-    return RunningRun{.run = i, .share = 0.0, .left = {}};
-  } catch (const fs::filesystem_error&) {
-    return RunningRun{.run = i, .share = 0.0, .left = {}};
+    const double share = std::min(1.0, time_reached(folder) / whole);
+    if (share > 0.0) run.left = time_spent(folder) * (1.0 - share) / share;
+    run.share = share;
+  } catch (const std::runtime_error&) { // its first files are being written
   }
+  return run;
 }
 
 /// Time left for all runs together, from the done and the running runs.
@@ -83,8 +81,7 @@ std::optional<double> time_left(const StudyProgress& progress, const std::vector
   }
   if (progress.running.empty() || known == 0) return {};
   const double mean = whole / static_cast<double>(known);
-  const auto closed =
-      std::ranges::count_if(standings, [](const Standing& s) { return s.done() || s.failed_for_good(); });
+  const auto closed = std::ranges::count_if(standings, &Standing::ended);
   const double waiting = static_cast<double>(standings.size() - progress.running.size()) - static_cast<double>(closed);
   for (const RunningRun& run : progress.running)
     if (!run.left) left += mean;
@@ -102,22 +99,6 @@ StudyProgress progress_of(const StudyFolder& study, const std::vector<Standing>&
   return progress;
 }
 
-namespace {
-
-constexpr std::size_t max_looked_at = 200; // points, for warnings
-
-/// Takes milliseconds per point, so of many points it looks at some, spread evenly over the list.
-void add_warnings(const std::vector<Point>& points, StudyCost& c) {
-  c.looked_at = std::min(points.size(), max_looked_at);
-  for (std::size_t k = 0; k < c.looked_at; ++k) {
-    const Point& point = points[k * points.size() / c.looked_at];
-    for (const std::string& warning : run::warnings(point.parameters, run::derived(point.parameters)))
-      c.warnings.push_back(fmt::format("{}: {}", point.label, warning));
-  }
-}
-
-} // namespace
-
 StudyCost cost(const StudyFolder& study) {
   StudyCost c;
   const auto replicates = static_cast<double>(study.study.replicates);
@@ -132,7 +113,14 @@ StudyCost cost(const StudyFolder& study) {
     c.memory_bytes = std::max(c.memory_bytes, run.memory_bytes);
     c.disk_bytes += replicates * run.disk_bytes;
   }
-  add_warnings(study.study.points, c);
+  // warnings take milliseconds per point: of many points some are looked at, spread evenly over the list
+  const std::vector<Point>& points = study.study.points;
+  c.looked_at = std::min<std::size_t>(points.size(), 200);
+  for (std::size_t k = 0; k < c.looked_at; ++k) {
+    const Point& point = points[k * points.size() / c.looked_at];
+    for (const std::string& warning : run::warnings(point.parameters, run::derived(point.parameters)))
+      c.warnings.push_back(fmt::format("{}: {}", point.label, warning));
+  }
   return c;
 }
 

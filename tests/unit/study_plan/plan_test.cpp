@@ -1,6 +1,5 @@
 #include "parameters/schema.hpp"
 #include "parameters/write.hpp"
-#include "study_plan/earlier_points.hpp"
 #include "study_plan/names.hpp"
 #include "study_plan/read_study.hpp"
 #include "study_plan/sweep.hpp"

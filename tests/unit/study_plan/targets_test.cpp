@@ -1,4 +1,4 @@
-#include "study_plan/conditions.hpp"
+#include "study_plan/read_study.hpp"
 
 #include "base/failure.hpp"
 #include "base/file.hpp"

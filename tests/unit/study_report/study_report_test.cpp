@@ -6,7 +6,7 @@
 #include "study_plan/names.hpp"
 #include "study_report/drawn_study.hpp"
 #include "study_report/run_curves.hpp"
-#include "study_report/study_data.hpp"
+#include "study_report/study_files.hpp"
 #include "tables/csv.hpp"
 #include "unit/study_plan/studies.hpp"
 

@@ -1,4 +1,4 @@
-#include "study_results/read_results.hpp"
+#include "study_results/results.hpp"
 
 #include "base/failure.hpp"
 #include "observe/readout_table.hpp"

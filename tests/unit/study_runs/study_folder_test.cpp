@@ -3,7 +3,6 @@
 #include "base/failure.hpp"
 #include "base/file.hpp"
 #include "study_runs/pool.hpp"
-#include "study_runs/study_progress.hpp"
 #include "unit/study_plan/studies.hpp"
 
 #include <gtest/gtest.h>
