@@ -1,7 +1,7 @@
 #include "apps/terminal/terminal.hpp"
 #include "apps/verbs.hpp"
 #include "base/failure.hpp"
-#include "claims/shipped_studies.hpp"
+#include "claims/claims.hpp"
 #include "parameters/changes.hpp"
 #include "parameters/closures.hpp"
 #include "parameters/laws/law.hpp"

@@ -1,6 +1,6 @@
 #include "apps/terminal/terminal.hpp"
 #include "apps/verbs.hpp"
-#include "claims/shipped_studies.hpp"
+#include "claims/claims.hpp"
 #include "parameters/write.hpp"
 #include "study_plan/read_study.hpp"
 #include "tables/run_files.hpp"

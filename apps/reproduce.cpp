@@ -3,13 +3,13 @@
 #include "apps/terminal/terminal.hpp"
 #include "apps/verbs.hpp"
 #include "base/failure.hpp"
-#include "claims/evidence.hpp"
+#include "claims/claims.hpp"
 #include "parameters/nearest.hpp"
 #include "run/folder_lock.hpp"
 #include "run/folder_state.hpp"
 #include "run/run_record.hpp"
 #include "simulation/step_limits.hpp"
-#include "study_report/claim_report.hpp"
+#include "study_report/study_files.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>

@@ -14,7 +14,7 @@
 #include "run/provenance.hpp"
 #include "run/run_record.hpp"
 #include "store/field_file.hpp"
-#include "study_results/tracks_csv.hpp"
+#include "study_results/results.hpp"
 #include "study_runs/study_folder.hpp"
 
 #include <CLI/CLI.hpp>

@@ -70,7 +70,7 @@ void add_reading(CLI::App& group, Action& chosen) {
 }
 
 void add_slurm_options(CLI::App& verb, SubmitOptions& options) {
-  study::SlurmOptions& slurm = options.slurm;
+  SlurmOptions& slurm = options.slurm;
   verb.add_option("--account", slurm.account, "Slurm's account that the time is charged to");
   verb.add_option("--partition", slurm.partition, "Slurm's partition, or several with commas between");
   verb.add_option("--qos", slurm.qos, "Slurm's quality of service");

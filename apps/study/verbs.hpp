@@ -1,10 +1,9 @@
 #pragma once
 
 #include "base/process.hpp"
-#include "claims/shipped_studies.hpp"
+#include "claims/claims.hpp"
 #include "study_report/study_files.hpp"
 #include "study_runs/pool.hpp"
-#include "study_runs/slurm_job.hpp"
 
 #include <nlohmann/json_fwd.hpp>
 
@@ -42,9 +41,23 @@ int run_study(const StudyOptions& options);
 int show_status(const StudyOptions& options);
 int collect_study(const StudyOptions& options);
 
+/// What a user asks of Slurm; empty members are left to the cluster.
+struct SlurmOptions {
+  std::string account;
+  std::string partition; ///< one or several, with commas between
+  std::string qos;
+  std::string time;                  ///< limit of a task, in one of Slurm's formats
+  std::string memory;                ///< of a task, as in 500M
+  std::string mail_user;             ///< address for a mail when the job ends or fails
+  std::size_t throttle = 0;          ///< tasks at a time; 0: no limit
+  int cpus = 1;                      ///< per task
+  std::vector<std::string> launcher; ///< what a task calls in place of this program, word by word; empty: this program
+  std::vector<std::string> more;     ///< further options for sbatch, word by word
+};
+
 struct SubmitOptions {
   StudyOptions study;
-  study::SlurmOptions slurm;
+  SlurmOptions slurm;
   std::string launcher;  ///< what a task calls in place of this program, as typed
   std::size_t chunk = 0; ///< runs per task; 0: as few as fit into 1000 tasks
 };

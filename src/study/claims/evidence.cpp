@@ -1,8 +1,7 @@
-#include "claims/evidence.hpp"
+#include "claims/claims.hpp"
 
 #include "base/failure.hpp"
 #include "base/file.hpp"
-#include "claims/shipped_studies.hpp"
 #include "run/provenance.hpp"
 #include "simulation/start.hpp"
 #include "study_results/results.hpp"

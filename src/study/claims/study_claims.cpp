@@ -1,8 +1,6 @@
 #include "claims/claims.hpp"
 
 #include "base/failure.hpp"
-#include "claims/evidence.hpp"
-#include "claims/shipped_studies.hpp"
 #include "parameters/read.hpp"
 #include "parameters/schema.hpp"
 

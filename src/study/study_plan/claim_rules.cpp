@@ -1,4 +1,4 @@
-#include "study_plan/claim_rules.hpp"
+#include "study_plan/claim.hpp"
 
 #include "statistics/compare.hpp"
 #include "statistics/correlation.hpp"

@@ -1,7 +1,7 @@
 #include "parameters/assign.hpp"
 #include "parameters/document.hpp"
 #include "parameters/nearest.hpp"
-#include "study_plan/claim_rules.hpp"
+#include "study_plan/claim.hpp"
 #include "study_plan/read_study.hpp"
 
 #include <fmt/format.h>

@@ -1,4 +1,4 @@
-#include "study_report/claim_report.hpp"
+#include "study_report/study_files.hpp"
 
 #include "base/failure.hpp"
 #include "base/file.hpp"
@@ -6,7 +6,6 @@
 #include "run/provenance.hpp"
 #include "run/run_record.hpp"
 #include "study_report/drawn_study.hpp"
-#include "study_report/run_curves.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "study_report/run_curves.hpp"
 #include "study_results/comparison.hpp"
 
 #include <nlohmann/json.hpp>
@@ -14,6 +13,42 @@
 /// What pages draw of a study, as viewer/src/study/contract.ts describes it. Test:
 /// tests/unit/study_report/study_report_test.cpp
 namespace matrigrate::study {
+
+// What the runs of a study look like: paths, shapes, mean square displacements and adhesions, as tables that are small
+// enough to be kept and that pages can be made from. Runs that are not done are left out. The last column of each
+// table is the label of the point. All throw InputOutputError if a table of a run that is done cannot be read.
+// Test: tests/unit/study_report/study_report_test.cpp
+
+/// Mean square displacement over the runs of a point at a lag that all of them have; of several cells the mean over
+/// those of a run counts.
+struct MeanMsd {
+  double lag = 0.0;  ///< [s]
+  double mean = 0.0; ///< [um^2]
+  double sem = 0.0;  ///< standard error of the mean; NaN of a single run [um^2]
+  std::size_t runs = 0;
+};
+
+/// That of a point.
+std::vector<MeanMsd> mean_msd(const std::vector<Result>& results, std::size_t point,
+                              const std::filesystem::path& study_folder);
+
+/// paths.csv: replicate, t_s, x_um and y_um from the start of the path, each 600 s, cell (of several cells), point.
+std::string paths_csv(const Study& study, const std::vector<Result>& results,
+                      const std::filesystem::path& study_folder);
+
+/// msd.csv: lag_s, msd_um2, sem_um2, n_runs, point.
+std::string msd_csv(const Study& study, const std::vector<Result>& results, const std::filesystem::path& study_folder);
+
+/// adhesions.csv: replicate, length_um, f_mat, f_adh_rel, point; an adhesion that has ended a row.
+std::string adhesions_csv(const Study& study, const std::vector<Result>& results,
+                          const std::filesystem::path& study_folder);
+
+/// shapes.csv: replicate, x_um, y_um, point; every second particle of the cortex where a run ended, the first three
+/// replicates of each point. Runs whose checkpoint is gone are left out.
+std::string shapes_csv(const Study& study, const std::vector<Result>& results,
+                       const std::filesystem::path& study_folder);
+
+// Their JSON.
 
 /// A sample that is compared, with the numbers of groups.csv.   @param place  of its point on the axes
 nlohmann::ordered_json group_json(std::string_view readout, const nlohmann::ordered_json& place,
@@ -59,7 +94,7 @@ nlohmann::ordered_json measured_json(const Study& study, const std::vector<track
 nlohmann::ordered_json run_json(const Study& study, const std::filesystem::path& study_folder, const Result& result,
                                 const nlohmann::ordered_json& place);
 
-/// Texts of the tables of run_curves.hpp; empty for a missing table.
+/// Texts of these tables; empty for a missing table.
 struct CurveTables {
   std::string paths, shapes, msd, adhesions;
 };

@@ -3,6 +3,7 @@
 #include "base/failure.hpp"
 #include "base/file.hpp"
 #include "observe/readout_table.hpp"
+#include "run/folder_state.hpp"
 #include "tables/csv.hpp"
 
 #include <fmt/format.h>
@@ -11,7 +12,6 @@
 #include <charconv>
 #include <cmath>
 #include <limits>
-#include <span>
 
 namespace matrigrate::study {
 
@@ -36,12 +36,7 @@ public:
 
 private:
   void raise() const {
-    constexpr std::size_t most = 20;
-    if (m_faults.empty()) return;
-    const auto shown = std::span(m_faults).first(std::min(most, m_faults.size()));
-    throw InputOutputError(
-        fmt::format("{}{}", fmt::join(shown, "\n  "),
-                    m_faults.size() > most ? fmt::format("\n  and {} more", m_faults.size() - most) : ""));
+    if (!m_faults.empty()) throw InputOutputError(run::listed(m_faults, "\n  "));
   }
 
   /// What else is wrong cannot be told without the columns.

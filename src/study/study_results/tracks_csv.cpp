@@ -1,4 +1,4 @@
-#include "study_results/tracks_csv.hpp"
+#include "study_results/results.hpp"
 
 #include "base/failure.hpp"
 #include "base/file.hpp"

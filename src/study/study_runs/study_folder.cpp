@@ -6,18 +6,28 @@
 #include "parameters/read.hpp"
 #include "parameters/schema.hpp"
 #include "parameters/write.hpp"
+#include "run/estimate.hpp"
 #include "run/folder_state.hpp"
 #include "run/run_record.hpp"
 #include "run/stopped_run.hpp"
 #include "study_plan/names.hpp"
+#include "tables/csv.hpp"
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <fcntl.h>
+#include <unistd.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <charconv>
+#include <chrono>
 #include <map>
 #include <optional>
 #include <set>
+#include <stdexcept>
+#include <tuple>
 
 namespace matrigrate::study {
 
@@ -41,31 +51,29 @@ bool is_text(const fs::path& file, const std::string& text) {
   return fs::exists(file) && read_file(file, largest_file) == text;
 }
 
-/// Whether the scenario in a folder means the base of the study, in whatever version's words: it is the record of who
-/// wrote it, and stays.
-bool holds_base(const StudyFolder& study) {
-  const fs::path file = study.folder / scenario_file;
+/// Whether a file of a study is there, and means the same, in whatever version's words: it is the record of who wrote
+/// it, and stays.
+template <class Same>
+bool holds(const fs::path& file, const Same& same) {
   std::error_code error;
   if (!fs::is_regular_file(file, error)) return false;
   try {
-    return same(neutral(read_unjudged(file)), neutral(study.study.base));
-  } catch (const ConfigurationError&) { // was damaged
+    return same(file);
+  } catch (const ConfigurationError&) { // was damaged, or changed
     return false;
   }
 }
 
-/// The same of the study and its points.
+bool holds_base(const StudyFolder& study) {
+  return holds(study.folder / scenario_file,
+               [&](const fs::path& file) { return same(neutral(read_unjudged(file)), neutral(study.study.base)); });
+}
+
 bool holds_points(const StudyFolder& study) {
-  const fs::path file = study.folder / study_file;
-  const std::string text = to_toml(study.study, scenario_file);
-  if (is_text(file, text)) return true;
-  std::error_code error;
-  if (!fs::is_regular_file(file, error)) return false;
-  try {
-    return to_toml(read_study(file), scenario_file) == text;
-  } catch (const ConfigurationError&) { // was changed
-    return false;
-  }
+  return holds(study.folder / study_file, [&](const fs::path& file) {
+    const std::string text = to_toml(study.study, scenario_file);
+    return is_text(file, text) || to_toml(read_study(file), scenario_file) == text;
+  });
 }
 
 /// The points of a study by what decides on their first runs, and how people call them.
@@ -201,6 +209,69 @@ void find_by_scenario(StudyFolder& study) {
   }
 }
 
+/// True if a process works in the folder of a run. A process that begins a run waits until this test is over.
+bool is_worked_on(const fs::path& folder) {
+  const int descriptor = ::open((folder / ".lock").c_str(), O_RDONLY | O_CLOEXEC);
+  if (descriptor < 0) return false;
+  const bool locked = platform::lock(descriptor, platform::Lock::shared) == EWOULDBLOCK;
+  ::close(descriptor);
+  return locked;
+}
+
+/// Simulated time of the last row of tracks.csv [s].
+double time_reached(const fs::path& folder) {
+  const std::vector<double> t = store::csv_column(read_file(folder / "tracks.csv", largest_table), "t_s");
+  return t.empty() ? 0.0 : t.back();
+}
+
+/// Wall time that went into a run so far: what run.json says, and the time since that was written [s].
+double time_spent(const fs::path& folder) {
+  const nlohmann::ordered_json record = run::record_of(folder);
+  const auto found = record.find("wall_time_s");
+  const double before = found != record.end() && found->is_number() ? found->get<double>() : 0.0;
+  const auto since = fs::file_time_type::clock::now() - fs::last_write_time(folder / "run.json");
+  return before + std::max(0.0, std::chrono::duration<double>(since).count());
+}
+
+std::optional<RunningRun> running_run(const StudyFolder& study, std::size_t i) {
+  const fs::path folder = run_folder(study.folder, study.runs[i]);
+  if (!is_worked_on(folder)) return {};
+  RunningRun run{.run = i, .share = 0.0, .left = {}};
+  try {
+    const double whole = study.study.points[study.runs[i].point].parameters.run.duration;
+    const double share = std::min(1.0, time_reached(folder) / whole);
+    if (share > 0.0) run.left = time_spent(folder) * (1.0 - share) / share;
+    run.share = share;
+  } catch (const std::runtime_error&) { // its first files are being written
+  }
+  return run;
+}
+
+/// Time left for all runs together, from the done and the running runs.
+std::optional<double> time_left(const StudyProgress& progress, const std::vector<Standing>& standings) {
+  double left = 0.0;
+  double whole = 0.0;
+  std::size_t known = 0;
+  for (const RunningRun& run : progress.running) {
+    if (!run.left || run.share >= 1.0) continue;
+    left += *run.left;
+    whole += *run.left / (1.0 - run.share);
+    ++known;
+  }
+  for (const Standing& s : standings) {
+    if (!s.done()) continue;
+    whole += s.wall_time;
+    ++known;
+  }
+  if (progress.running.empty() || known == 0) return {};
+  const double mean = whole / static_cast<double>(known);
+  const auto closed = std::ranges::count_if(standings, &Standing::ended);
+  const double waiting = static_cast<double>(standings.size() - progress.running.size()) - static_cast<double>(closed);
+  for (const RunningRun& run : progress.running)
+    if (!run.left) left += mean;
+  return (left + mean * std::max(0.0, waiting)) / static_cast<double>(progress.running.size());
+}
+
 } // namespace
 
 StudyFolder planned(Study study, std::filesystem::path folder) {
@@ -263,6 +334,40 @@ std::vector<std::string> run_command(const StudyFolder& study, const Run& run, i
 
 std::string title_of(const StudyFolder& study, const Run& run) {
   return fmt::format("{}, replicate {}", study.study.points[run.point].label, run.replicate);
+}
+
+StudyProgress progress_of(const StudyFolder& study, const std::vector<Standing>& standings) {
+  StudyProgress progress;
+  for (std::size_t i = 0; i < study.runs.size(); ++i)
+    if (standings[i].status == RunState::unfinished)
+      if (auto run = running_run(study, i)) progress.running.push_back(*run);
+  progress.left = time_left(progress, standings);
+  return progress;
+}
+
+StudyCost cost(const StudyFolder& study) {
+  StudyCost c;
+  const auto replicates = static_cast<double>(study.study.replicates);
+  std::map<std::tuple<double, double, Lattice>, std::size_t> counted; // particles of each matrix
+  for (const Point& point : study.study.points) {
+    const EcmParameters& ecm = point.parameters.ecm;
+    const auto [matrix, is_new] = counted.try_emplace({ecm.radius, ecm.particle_spacing, ecm.lattice}, 0);
+    if (is_new) matrix->second = run::particle_count(point.parameters);
+    const run::RunCost run = run::run_cost(point.parameters, matrix->second);
+    c.run_times.push_back(run.wall_time);
+    c.wall_time += replicates * run.wall_time;
+    c.memory_bytes = std::max(c.memory_bytes, run.memory_bytes);
+    c.disk_bytes += replicates * run.disk_bytes;
+  }
+  // warnings take milliseconds per point: of many points some are looked at, spread evenly over the list
+  const std::vector<Point>& points = study.study.points;
+  c.looked_at = std::min<std::size_t>(points.size(), 200);
+  for (std::size_t k = 0; k < c.looked_at; ++k) {
+    const Point& point = points[k * points.size() / c.looked_at];
+    for (const std::string& warning : run::warnings(point.parameters, run::derived(point.parameters)))
+      c.warnings.push_back(fmt::format("{}: {}", point.label, warning));
+  }
+  return c;
 }
 
 } // namespace matrigrate::study

@@ -1,8 +1,6 @@
 #include "base/failure.hpp"
 #include "base/file.hpp"
 #include "claims/claims.hpp"
-#include "claims/evidence.hpp"
-#include "claims/shipped_studies.hpp"
 #include "unit/study_plan/studies.hpp"
 
 #include <gtest/gtest.h>

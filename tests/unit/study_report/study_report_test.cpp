@@ -5,7 +5,6 @@
 #include "store/checkpoint.hpp"
 #include "study_plan/names.hpp"
 #include "study_report/drawn_study.hpp"
-#include "study_report/run_curves.hpp"
 #include "study_report/study_files.hpp"
 #include "tables/csv.hpp"
 #include "unit/study_plan/studies.hpp"
