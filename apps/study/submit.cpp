@@ -194,13 +194,6 @@ std::string job_script(const SlurmOptions& options, const std::filesystem::path&
 constexpr std::size_t max_tasks = 1000; // Slurm's MaxArraySize is 1001 unless a cluster says otherwise
 constexpr std::size_t largest_run_list = std::size_t{1} << 26;
 
-/// Which run is computed by which task: lines "task hash".
-std::string task_list(const StudyFolder& study, const std::vector<std::size_t>& open, std::size_t chunk) {
-  std::string text;
-  for (std::size_t k = 0; k < open.size(); ++k) text += fmt::format("{} {}\n", k / chunk, study.runs[open[k]].hash);
-  return text;
-}
-
 std::vector<std::size_t> open_runs(const StudyFolder& study, bool retry_failed) {
   std::vector<std::size_t> open;
   for (std::size_t i = 0; i < study.runs.size(); ++i) {
@@ -266,7 +259,8 @@ int submit_study(SubmitOptions options) {
   std::string job;
   if (tasks > 0) {
     make_folder(study.folder / "slurm");
-    const std::string text = task_list(study, open, chunk);
+    std::string text; // which run is computed by which task: lines "task hash"
+    for (std::size_t k = 0; k < open.size(); ++k) text += fmt::format("{} {}\n", k / chunk, study.runs[open[k]].hash);
     const std::string list = fmt::format("slurm/tasks-{}.txt", store::text_hash(text));
     write_file(study.folder / list, text);
     write_file(study.folder / "submit.sh", job_script(options.slurm, study.folder, tasks, list));

@@ -1,13 +1,11 @@
 #pragma once
 
-#include "base/process.hpp"
 #include "claims/claims.hpp"
 #include "study_report/study_files.hpp"
 #include "study_runs/pool.hpp"
 
 #include <nlohmann/json_fwd.hpp>
 
-#include <optional>
 #include <string>
 #include <vector>
 

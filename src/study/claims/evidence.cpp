@@ -87,26 +87,24 @@ std::vector<std::filesystem::path> path_tables(const std::string& name, const Ev
 
 /// Adds a study to the evidence. @param larger  the results with those in a larger disc; empty if there are none
 void add(ClaimEvidence& all, const Study& study, const std::string& name, const EvidenceOptions& options,
-         std::vector<Result> results, std::vector<Result> larger) {
+         const std::vector<Result>& results, const std::vector<Result>& larger) {
   const std::vector<std::filesystem::path> paths = path_tables(name, options);
   if (!larger.empty()) {
     std::vector<std::filesystem::path> those = path_tables(larger_name(name), options);
     those.insert(those.end(), paths.begin(), paths.end());
-    MsdCurves msd = run_msd(study, larger, those);
-    all.larger.emplace(name, Ensemble{study, std::move(larger), std::move(msd)});
+    all.larger.emplace(name, Ensemble{study, larger, run_msd(study, larger, those)});
   }
-  MsdCurves msd = run_msd(study, results, paths);
-  all.evidence.emplace(name, Ensemble{study, std::move(results), std::move(msd)});
+  all.evidence.emplace(name, Ensemble{study, results, run_msd(study, results, paths)});
 }
 
 /// Adds the kept results of a study, if there are any, and those in a larger disc.
 void add_kept(ClaimEvidence& all, const std::string& name, const EvidenceOptions& options) {
   const StudyFolder study = planned(shipped(name, options), {});
-  auto results = kept_results(study, options.from, name);
+  const auto results = kept_results(study, options.from, name);
   if (results.empty()) return;
   const auto second = kept_results(second_of(study, name, options), options.from, larger_name(name));
-  auto larger = second.empty() ? std::vector<Result>() : replaced(results, second, ended_at_rim);
-  add(all, study.study, name, options, std::move(results), std::move(larger));
+  add(all, study.study, name, options, results,
+      second.empty() ? std::vector<Result>() : replaced(results, second, ended_at_rim));
 }
 
 } // namespace
@@ -168,9 +166,8 @@ ClaimEvidence gather_evidence(const std::vector<Claim>& claims, const EvidenceOp
       continue;
     }
     const StudyFolder study = planned(shipped(name, options), std::filesystem::path(options.folder) / name);
-    std::vector<Result> results = computed(study, name, options, compute, [](const Run&) { return true; });
-    std::vector<Result> larger = in_larger_disc(study, results, name, claims, options, compute);
-    add(all, study.study, name, options, std::move(results), std::move(larger));
+    const std::vector<Result> results = computed(study, name, options, compute, [](const Run&) { return true; });
+    add(all, study.study, name, options, results, in_larger_disc(study, results, name, claims, options, compute));
   }
   return all;
 }

@@ -1,6 +1,5 @@
 #include "claims/claims.hpp"
 
-#include "base/failure.hpp"
 #include "parameters/read.hpp"
 #include "parameters/schema.hpp"
 
@@ -52,10 +51,6 @@ std::optional<Ensemble> beside(const std::filesystem::path& folder, std::string_
   return {};
 }
 
-bool decides_on_results(const Row& row) {
-  return !row.path.starts_with("output.") && row.path != "run.seed" && row.path != "run.threads";
-}
-
 /// In what a study is not the shipped one.
 struct Deviations {
   std::vector<std::string> sentences;
@@ -72,7 +67,8 @@ Deviations deviations(const Study& study) {
     found.sentences.push_back(fmt::format("replicates {} (published: {})", study.replicates, published.replicates));
   found.comparable = found.sentences.empty();
   for (const Row& row : schema()) {
-    if (!differs(row, study.base, published.base) || !decides_on_results(row)) continue;
+    const bool decides = !row.path.starts_with("output.") && row.path != "run.seed" && row.path != "run.threads";
+    if (!decides || !differs(row, study.base, published.base)) continue;
     found.sentences.push_back(
         fmt::format("{} {} (published: {})", row.path, value_text(row, study.base), value_text(row, published.base)));
     found.comparable = found.comparable && (row.path == "run.integrator" || row.path == "run.time_step");
@@ -94,9 +90,6 @@ std::string rim_caveat(const Claim& claim, const Evidence& evidence) {
   if (lost == 0) return {};
   return fmt::format("{} of {} runs ended at the rim: means are of the slower cells", lost, all);
 }
-
-/// "not the paper's runs" if replicates or parameters other than those of the integrator are not the paper's; else "".
-std::string claims_caveat(const Study& study) { return deviations(study).comparable ? "" : "not the paper's runs"; }
 
 } // namespace
 
@@ -178,7 +171,7 @@ JudgedClaim judged_claim(const Claim& claim, const Evidence& evidence) {
   if (claim.has_editions()) result.second_edition = judged(claim, evidence, ClaimEdition::second);
   for (const std::string& name : claim.studies())
     if (const auto found = evidence.find(name); found != evidence.end()) {
-      if (result.caveat.empty()) result.caveat = claims_caveat(found->second.study);
+      if (!deviations(found->second.study).comparable) result.caveat = "not the paper's runs";
       result.studies.push_back(name);
     }
   return result;

@@ -30,7 +30,7 @@ const std::vector<std::string> known_keys{"title",  "scenario", "preset",     "r
                                           "points", "claims",   "targets",    "sweep",      "latin_hypercube"};
 
 /// What replaces the sections of earlier versions.
-const std::map<std::string, const char*> replaced{
+const std::map<std::string_view, std::string> replaced{
     {"one_at_a_time",
      "is no design any more; list the base and each value alone as [[points]], or draw ranges by [latin_hypercube], of "
      "which matrigrate.calibrate.fit tells how much each parameter matters"},

@@ -38,7 +38,8 @@ std::vector<Claim> read_claims(const toml::array& list, const std::vector<Point>
 /// The tables [[targets]]: `readout`, `value` or a range of `low` and `high`, `error`, and, if wanted, `weight` and
 /// `at`, the label of a condition or a list of them. `tracks`, a file of measured tracks, stands for value and error:
 /// the mean of the read-out over its tracks, and the standard error of this mean.
-/// @param folder  that names of files count from. Test: tests/unit/study_plan/targets_test.cpp
+/// Test: tests/unit/study_plan/targets_test.cpp
+/// @param folder  that names of files count from
 std::vector<Target> read_targets(const toml::array& list, const std::vector<Condition>& conditions,
                                  const std::filesystem::path& folder, FaultList& faults);
 

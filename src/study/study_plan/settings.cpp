@@ -1,7 +1,6 @@
 #include "study_plan/settings.hpp"
 
 #include "parameters/assign.hpp"
-#include "parameters/changes.hpp"
 #include "parameters/gone.hpp"
 #include "parameters/laws/constants.hpp"
 #include "parameters/nearest.hpp"

@@ -20,7 +20,6 @@
 #include <cmath>
 #include <map>
 #include <numbers>
-#include <span>
 #include <string_view>
 
 namespace matrigrate::study {

@@ -11,7 +11,6 @@
 #include "study_results/results.hpp"
 #include "tables/cell_tracks.hpp"
 #include "tables/csv.hpp"
-#include "tables/table.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -83,16 +82,14 @@ bool hold_at(const Study& study, const std::vector<tracks::CellTrack>* tracks, s
   });
 }
 
-constexpr std::size_t path_points = 100;
-
-/// At most path_points of each cell's path, the last one among them.
+/// At most most_positions of each cell's path, the last one among them.
 Json path_json(const std::filesystem::path& folder) {
   const std::vector<tracks::CellTrack> tracks = tracks::cell_tracks(folder);
   if (tracks.empty()) return {};
   Json path{{"x_um", Json::array()}, {"y_um", Json::array()}};
   for (const tracks::CellTrack& track : tracks) {
     begin_line(path);
-    const std::size_t n = std::min(track.x.size(), path_points);
+    const std::size_t n = std::min(track.x.size(), most_positions);
     for (std::size_t k = 0; k < n; ++k) {
       const std::size_t i = evenly(k, n, track.x.size());
       path["x_um"].push_back(track.x[i]);

@@ -24,7 +24,6 @@
 #include <cmath>
 #include <numeric>
 #include <set>
-#include <stdexcept>
 
 namespace matrigrate::study {
 
@@ -150,7 +149,6 @@ Standing standing(const std::filesystem::path& study_folder, const Run& run) {
     return s;
   }
   s.status = state_of(run::status_of(record));
-  if (const double code = number_of(record, "exit_code"); code >= 0.0) s.exit_code = static_cast<int>(code);
   s.reason = run::text_of(record, "reason");
   s.cause = parse_failure_cause(run::text_of(record, "cause"));
   s.trajectory_hash = run::text_of(record, "trajectory_hash");

@@ -37,9 +37,8 @@ std::string_view to_string(RunState state);
 /// How a run stands.
 struct Standing {
   RunState status = RunState::missing; ///< running is for those who know of processes
-  std::optional<int> exit_code;
-  std::string reason;                ///< why it is not done
-  std::optional<FailureCause> cause; ///< of a numerical failure; none in records of version 0.1.0
+  std::string reason;                  ///< why it is not done
+  std::optional<FailureCause> cause;   ///< of a numerical failure; none in records of version 0.1.0
   std::string trajectory_hash;
   std::vector<std::string> programs; ///< that computed it, oldest first: "0.1.0 (1234abcd)"
   std::string end;                   ///< when it ended: "2026-01-31T12:00:00Z"; empty while it has not

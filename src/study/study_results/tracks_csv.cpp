@@ -48,42 +48,35 @@ std::string front_values(const Study& study, const Run& run) {
                                              {std::uint64_t{run.replicate}, run.seed}}));
 }
 
-/// The columns of all runs that are done: runs with a nucleus have further ones behind those of the others.
-/// @throws InputOutputError if the columns of a run do not begin those of another
-std::string widest_columns(const std::vector<Result>& results, const std::filesystem::path& study_folder) {
-  std::string widest;
-  for (const Result& r : results) {
-    if (!r.standing.done()) continue;
-    const std::filesystem::path file = run_folder(study_folder, r.run) / "tracks.csv";
-    const std::string tracks = tracks_of(file);
-    const std::string own = tracks.substr(0, tracks.find('\n'));
-    if (!(own + ",").starts_with(widest.empty() ? "" : widest + ",") && !(widest + ",").starts_with(own + ","))
-      throw InputOutputError(fmt::format("{}: has other columns than earlier runs", file.string()));
-    if (own.size() > widest.size()) widest = own;
-  }
-  return widest;
-}
-
 } // namespace
 
 std::string tracks_csv(const Study& study, const std::vector<Result>& results,
                        const std::filesystem::path& study_folder) {
-  const std::string columns = widest_columns(results, study_folder);
-  const auto commas = [](std::string_view line) { return static_cast<std::size_t>(std::ranges::count(line, ',')); };
-  std::string text;
+  std::string widest; // columns: runs with a nucleus have further ones behind those of the others
+  std::vector<std::pair<const Run*, std::string>> all;
   for (const Result& r : results) {
     if (!r.standing.done()) continue;
-    const std::string tracks = tracks_of(run_folder(study_folder, r.run) / "tracks.csv");
+    const std::filesystem::path file = run_folder(study_folder, r.run) / "tracks.csv";
+    std::string tracks = tracks_of(file);
+    const std::string own = tracks.substr(0, tracks.find('\n'));
+    if (!(own + ",").starts_with(widest.empty() ? "" : widest + ",") && !(widest + ",").starts_with(own + ","))
+      throw InputOutputError(fmt::format("{}: has other columns than earlier runs", file.string()));
+    if (own.size() > widest.size()) widest = own;
+    all.emplace_back(&r.run, std::move(tracks));
+  }
+  const auto commas = [](std::string_view line) { return static_cast<std::size_t>(std::ranges::count(line, ',')); };
+  std::string text;
+  for (const auto& [run, tracks] : all) {
     std::size_t at = tracks.find('\n') + 1;
-    const std::string missing(commas(columns) - commas(tracks.substr(0, at)), ',');
-    const std::string front = front_values(study, r.run);
+    const std::string missing(commas(widest) - commas(tracks.substr(0, at)), ',');
+    const std::string front = front_values(study, *run);
     while (at < tracks.size()) {
       const std::size_t end = tracks.find('\n', at);
       text.append(front).append(1, ',').append(tracks, at, end - at).append(missing).append(1, '\n');
       at = end + 1;
     }
   }
-  return columns.empty() ? std::string() : front_names(study) + "," + columns + "\n" + text;
+  return widest.empty() ? std::string() : front_names(study) + "," + widest + "\n" + text;
 }
 
 std::vector<exchange::RunTracks> run_tracks(const Study& study, const std::vector<Result>& results,

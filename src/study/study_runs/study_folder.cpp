@@ -10,6 +10,7 @@
 #include "run/folder_state.hpp"
 #include "run/run_record.hpp"
 #include "run/stopped_run.hpp"
+#include "statistics/sample.hpp"
 #include "study_plan/names.hpp"
 #include "tables/csv.hpp"
 
@@ -250,21 +251,16 @@ std::optional<RunningRun> running_run(const StudyFolder& study, std::size_t i) {
 /// Time left for all runs together, from the done and the running runs.
 std::optional<double> time_left(const StudyProgress& progress, const std::vector<Standing>& standings) {
   double left = 0.0;
-  double whole = 0.0;
-  std::size_t known = 0;
+  std::vector<double> whole; // of the runs of which it is known
   for (const RunningRun& run : progress.running) {
     if (!run.left || run.share >= 1.0) continue;
     left += *run.left;
-    whole += *run.left / (1.0 - run.share);
-    ++known;
+    whole.push_back(*run.left / (1.0 - run.share));
   }
-  for (const Standing& s : standings) {
-    if (!s.done()) continue;
-    whole += s.wall_time;
-    ++known;
-  }
-  if (progress.running.empty() || known == 0) return {};
-  const double mean = whole / static_cast<double>(known);
+  for (const Standing& s : standings)
+    if (s.done()) whole.push_back(s.wall_time);
+  if (progress.running.empty() || whole.empty()) return {};
+  const double mean = statistics::moments(whole).mean;
   const auto closed = std::ranges::count_if(standings, &Standing::ended);
   const double waiting = static_cast<double>(standings.size() - progress.running.size()) - static_cast<double>(closed);
   for (const RunningRun& run : progress.running)
