@@ -20,9 +20,8 @@ from . import calibrate, exchange, plot, tracks, truth
 from ._version import __version__
 from .base.program import live
 from .errors import ConfigurationError, CoreNotFound, Fault, InputOutputError, InternalError, KeyboardStop, MatrigrateError, NumericalError, ProgramNotFound, Stopped, UnknownParameter, UsageError
-from .results.cells import CellOfRun, CellsOfRun
 from .results.fields import Field, Fields
-from .results.results import Readouts, ReadoutsOfCells, Run, load, meaning
+from .results.results import CellOfRun, CellsOfRun, Readouts, ReadoutsOfCells, Run, load, meaning
 from .results.simulate import run, run_study
 from .results.studies import Runs, Study, load_study
 from .scenario.scenario import Scenario, Section

@@ -157,11 +157,7 @@ def _nearest(places: Array, middles: Array, radius: float, spacing: float) -> Ar
 def _cells(outlines: dict[int, Array], middles: Array) -> Array:
     """The number of the cell in which the middle of each pixel lies; 0 outside."""
     half = float(middles[-1] + 0.5 * (middles[1] - middles[0]))
-    grid = raster.Grid.over((-half, half, -half, half), 2 * half / len(middles))
-    numbers = np.zeros(grid.shape, np.float32)
-    for number, outline in outlines.items():
-        numbers[raster.inside(grid, outline.astype(float))] = number
-    return numbers
+    return raster.labels(raster.Grid.over((-half, half, -half, half), 2 * half / len(middles)), outlines).astype(np.float32)
 
 
 # -- Simularium

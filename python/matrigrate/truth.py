@@ -78,8 +78,7 @@ class Movie:
         """The number of the cell, from 1, in each pixel, 0 where there is none: uint16, shape (frames, rows, columns)."""
         out = np.zeros((len(self.frames), *self.grid.shape), dtype=np.uint16)
         for picture, k in zip(out, self.frames, strict=True):
-            for number, outline in self.run.fields.outlines(k).items():
-                picture[raster.inside(self.grid, outline.astype(float))] = number
+            picture[...] = raster.labels(self.grid, self.run.fields.outlines(k))
         return out
 
     def fluorescence(self, *, seed: int = 1, psf: float = 0.25, cortex: float = 200.0, matrix: float = 60.0,

@@ -91,7 +91,8 @@ def paint(axes: Axes, fields: Fields, scenario: dict[str, Any], k: int) -> Any:
     spacing = float(fields["matrix/spacing"][0])
     rows = max(1, int(np.ceil(max((right - left) / 24, 1.0) / spacing)), int(np.ceil(np.sqrt(seen.sum() / _most_lines))))
     if rows > 1:  # lines of every second row and so on
-        row = np.rint((reference[:, 1] - reference[:, 1].min()) / _row_distance(reference)).astype(int)
+        steps = np.diff(np.unique(np.round(reference[:, 1], 2)))
+        row = np.rint((reference[:, 1] - reference[:, 1].min()) / steps[steps > 0.1].min()).astype(int)
         seen &= (row[pairs] % rows == 0).any(axis=1)
     lines, strains = lines[seen], strains[seen]
     colours = shown.to_rgba(strains)
@@ -101,9 +102,3 @@ def paint(axes: Axes, fields: Fields, scenario: dict[str, Any], k: int) -> Any:
     axes.add_collection(LineCollection(list(lines[order]), colors=colours[order], linewidths=0.8 + 0.8 * strength[order],
                                        zorder=2), autolim=False)
     return shown
-
-
-def _row_distance(reference: Array) -> float:
-    rows = np.unique(np.round(reference[:, 1], 2))
-    steps = np.diff(rows)
-    return float(steps[steps > 0.1].min())

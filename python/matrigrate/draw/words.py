@@ -17,7 +17,7 @@ from typing import Any
 from ..base.files import unit_of, unit_suffix
 from ..results import results
 from ..scenario import constants, schema
-from ..tracks import motility
+from ..tracks import meanings
 
 colours: list[str] = schema.table("colours.json")["palette"]  #: Okabe and Ito's, which all eyes can separate
 blue, red, grey = colours[0], colours[1], "#8a8f98"
@@ -105,7 +105,7 @@ def words(column: str) -> str:
     """A read-out or a parameter in words."""
     if parameter := parameter_of(column):
         return noun(parameter)
-    known = motility.meanings() | {name: row["meaning"] for name, row in results.readout_table().items()}
+    known = meanings() | {name: row["meaning"] for name, row in results.readout_table().items()}
     return known.get(column, column.replace("_", " "))
 
 

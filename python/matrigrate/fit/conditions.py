@@ -94,12 +94,13 @@ def _of_one(source: Any, conditions: Sequence[str], given: Sequence[str]) -> dic
         return _of_frame(source, conditions, given)
     study = source if isinstance(source, Study) else load_study(source)
     results = study.results.assign(point=study.results["label"])
-    parameters, labels = study.parameters, [one["label"] for one in document_of(study).get("conditions", [])]
     if not conditions:
-        return {"": _runs(results, parameters, study)}
+        return {"": _runs(results, study.parameters, study)}
+    known_conditions = document_of(study).get("conditions", [])
+    labels = [one["label"] for one in known_conditions]
     _require_known(conditions, labels, "study")
-    fixed = {key for one in document_of(study)["conditions"] for key in one if key != "label"}
-    parameters = [name for name in parameters if (known := words.parameter_of(name)) is None or known.path not in fixed]
+    fixed = {key for one in known_conditions for key in one if key != "label"}
+    parameters = [name for name in study.parameters if (known := words.parameter_of(name)) is None or known.path not in fixed]
     at = {point: max((label for label in labels if point.startswith(f"{label}: ")), key=len, default="") for point in results["point"].unique()}
     return {name: _runs(results[results["point"].map(at) == name], parameters, study) for name in conditions}
 
@@ -110,7 +111,8 @@ def _of_frame(frame: pandas.DataFrame, conditions: Sequence[str], given: Sequenc
     columns = list(frame.columns)
     faults = [f"{name}: two columns have this name" for name in dict.fromkeys(columns) if columns.count(name) > 1]
     faults += [f"{name}: the table has no such column" for name in given if name not in columns]
-    faults += [f"{name}: only finite numbers can be fitted" for name in given if columns.count(name) == 1 and not _is_finite(frame[name])]
+    faults += [f"{name}: only finite numbers can be fitted" for name in given if columns.count(name) == 1
+               and not (require_pandas().api.types.is_numeric_dtype(frame[name]) and frame[name].abs().lt(float("inf")).all())]
     if conditions and "condition" not in columns:
         faults.append("condition: the table has no such column")
     refuse(faults)
@@ -119,10 +121,6 @@ def _of_frame(frame: pandas.DataFrame, conditions: Sequence[str], given: Sequenc
         return {"": _runs(table, list(given))}
     _require_known(conditions, sorted(table["condition"].astype(str).unique()), "data frame")
     return {name: _runs(table[table["condition"].astype(str) == name], list(given)) for name in conditions}
-
-
-def _is_finite(column: pandas.Series) -> bool:
-    return bool(require_pandas().api.types.is_numeric_dtype(column) and column.abs().lt(float("inf")).all())
 
 
 def _require_known(conditions: Sequence[str], labels: Sequence[str], owner: str) -> None:

@@ -11,7 +11,6 @@ import numpy as np
 from .. import tracks as _tracks
 from ..base import arguments
 from ..errors import ConfigurationError, refuse
-from ..tracks import motility
 from .conditions import by_condition
 from .emulator import Array
 from .measurement import Measurement, asked_for, means_of_tracks, measurement
@@ -122,7 +121,7 @@ def groups_of(control: Any, treated: Any, readouts: Sequence[str] | None,
 def _group(name: str, measured: Any, shared: Sequence[str], besides: Any) -> Group:
     numbers = {key: value for key, value in arguments.mapping("besides", besides).items() if key in shared}
     is_tracks = isinstance(measured, _tracks.Tracks)
-    own = [key for key in shared if is_tracks and key in motility.meanings() and key not in numbers]
+    own = [key for key in shared if is_tracks and key in _tracks.meanings() and key not in numbers]
     if is_tracks and len(measured) < len(own) + _spare:
         many = "one cell" if len(measured) == 1 else f"{len(measured)} cells"
         raise ConfigurationError(f"has {many}; {len(own)} read-outs of tracks need {len(own) + _spare}: their scatter "

@@ -13,7 +13,6 @@ from ..base import arguments
 from ..base.files import require_pandas
 from ..base.load_core import core
 from ..errors import ConfigurationError, refuse
-from ..tracks import motility
 from .conditions import Runs
 
 if TYPE_CHECKING:
@@ -72,9 +71,9 @@ class Points:
                 for name, n in zip(self.values.columns, missing.sum(axis=0), strict=True) if n]
 
     def _need(self, name: str) -> str:
-        if name not in motility.meanings():
+        if name not in _tracks.meanings():
             return "is not defined in their runs, or no number"
-        need = motility.needs.get(name, "needs tracks of two positions")
+        need = _tracks.needs.get(name, "needs tracks of two positions")
         return need + (f"; simulated ones have {self.positions - 1}" if self.positions and "intervals" in need else "")
 
 
@@ -110,7 +109,7 @@ def measurement(measured: _tracks.Tracks | Means, names: Sequence[str], besides:
             for name, value in means.items() if not _is_measured(value)])
     rows = {name: _row(value, error) for name, (value, error) in means.items()}
     table = require_pandas().DataFrame.from_dict(rows, orient="index", columns=["value", "standard_error", "low", "high"], dtype=float)
-    own = [name for name in names if name in motility.meanings() and name not in means] if is_tracks else []
+    own = [name for name in names if name in _tracks.meanings() and name not in means] if is_tracks else []
     if own:
         n = len(measured)
         share = n / max(1, n - 1)  # the bootstrap's variance is too small by it
@@ -118,7 +117,7 @@ def measurement(measured: _tracks.Tracks | Means, names: Sequence[str], besides:
         found = found.assign(low=found["value"], high=found["value"])
         table = require_pandas().concat([found, table])
     lacking = [name for name in names if name not in table.index]
-    known = f"; tracks have {', '.join(motility.meanings())}" if is_tracks else ""
+    known = f"; tracks have {', '.join(_tracks.meanings())}" if is_tracks else ""
     faults = [f"{name}: has no measured value{known}" for name in lacking]
     faults += [f"{name}: is measured, but not among the read-outs {', '.join(names)}" for name in means if names and name not in names]
     faults += _faults(table.loc[[name for name in names if name not in lacking]], measured)
@@ -156,7 +155,7 @@ def _row(value: Any, error: float) -> tuple[float, float, float, float]:
 def _faults(table: pandas.DataFrame, measured: Any) -> list[str]:
     faults = []
     for name, row in table.iterrows():
-        why = f": it {motility.needs[name]}" if isinstance(measured, _tracks.Tracks) and name in motility.needs else ""
+        why = f": it {_tracks.needs[name]}" if isinstance(measured, _tracks.Tracks) and name in _tracks.needs else ""
         if not row["low"] <= row["high"] and np.isfinite(row["low"]):
             faults.append(f"{name}: ({row['low']:g}, {row['high']:g}) is no range from a lower to a higher end")
         elif not np.abs(row["value"]) < np.inf:
@@ -212,7 +211,7 @@ def simulated(runs: Runs, names: Sequence[str], interval: float | None, error: f
     if interval is not None:
         core()  # as above
     known, results = runs.readouts, runs.table
-    of_tracks = [name for name in names if name in motility.meanings() and (interval is not None and runs.studies or name not in known)]
+    of_tracks = [name for name in names if name in _tracks.meanings() and (interval is not None and runs.studies or name not in known)]
     of_runs = [name for name in names if name not in of_tracks]
     _require_numbers(runs, of_tracks, of_runs, interval)
     rows, points, counts, done, all_seen, positions = [], [], [], [], list[_tracks.Tracks](), list[int]()
@@ -245,7 +244,7 @@ def _require_numbers(runs: Runs, of_tracks: Sequence[str], of_runs: Sequence[str
     known = runs.readouts
     faults = [f"{name}: only numbers can be fitted" for name in runs.parameters if runs.table[name].dtype == object]
     if unknown := [name for name in of_runs if name not in known]:
-        faults.append(f"there is no read-out {', '.join(unknown)}; there are {', '.join([*motility.meanings(), *known])}")
+        faults.append(f"there is no read-out {', '.join(unknown)}; there are {', '.join([*_tracks.meanings(), *known])}")
     faults += [f"{name}: is no number in the runs" for name in of_runs if name in known and runs.table[name].dtype == object]
     if of_tracks and not runs.studies:
         faults.append(f"{', '.join(of_tracks)}: the table has no such column, and no tracks")
@@ -259,7 +258,7 @@ def _require_numbers(runs: Runs, of_tracks: Sequence[str], of_runs: Sequence[str
 def differences(points: Points, wanted: Measurement) -> list[str]:
     """In what simulated and measured tracks differ, where a read-out depends on it."""
     notes = []
-    biased = [name for name in wanted.table.index if name in motility.meanings() and name not in means_of_tracks]
+    biased = [name for name in wanted.table.index if name in _tracks.meanings() and name not in means_of_tracks]
     if biased and points.runs != wanted.cells:
         notes.append(f"{', '.join(biased)}: depends on the number of tracks; a point has {points.runs}, "
                      + (f"{wanted.cells} were measured" if wanted.cells else "give it as many as were measured"))

@@ -1,6 +1,7 @@
 """Pictures as arrays: particles smoothed onto pixels, and areas inside of outlines."""
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
 
@@ -82,3 +83,11 @@ def inside(grid: Grid, outline: Array) -> Array:
     flips = np.bincount(row * (grid.columns + 1) + first, minlength=grid.rows * (grid.columns + 1))
     within: Array = np.cumsum(flips.reshape(grid.rows, grid.columns + 1), axis=1)[:, :-1] % 2 == 1
     return within
+
+
+def labels(grid: Grid, outlines: Mapping[int, Array]) -> Array:
+    """The number of the cell, from 1, in each pixel, 0 where there is none: uint16."""
+    numbers = np.zeros(grid.shape, dtype=np.uint16)
+    for number, outline in outlines.items():
+        numbers[inside(grid, outline.astype(float))] = number
+    return numbers

@@ -60,11 +60,7 @@ def run(scenario: Scenario | str | os.PathLike[str], out: str | os.PathLike[str]
         words += ["--force"] if force else []
         folder = folder or _default_folder(file, seed, overrides)
         watch = _Watch(folder, progress) if progress is not None else None
-        try:
-            outcome = program.call([*words, "-o", str(folder)], watch)
-        except KeyboardInterrupt:
-            raise KeyboardStop(folder) from None
-        program.raise_for(outcome, folder, file if isinstance(scenario, Scenario) else None)
+        _call(words, folder, watch, file if isinstance(scenario, Scenario) else None)
     done = load(folder)
     if watch is not None:
         watch.end(done)
@@ -85,13 +81,17 @@ def run_study(file: str | os.PathLike[str], out: str | os.PathLike[str] | None =
     """
     file = arguments.path("file", file, "the path of a study file")
     folder = arguments.path("out", out) if out is not None else Path(f"{file.stem}-study")
-    words = ["study", "run", str(file), "-o", str(folder), "--quiet"] + ([] if jobs is None else ["--jobs", str(jobs)])
+    _call(["study", "run", str(file), "--quiet"] + ([] if jobs is None else ["--jobs", str(jobs)]), folder)
+    return load_study(folder)
+
+
+def _call(words: list[str], folder: Path, watch: _Watch | None = None, hidden: Path | None = None) -> None:
+    """:param hidden: a file that the user does not know of"""
     try:
-        outcome = program.call(words)
+        outcome = program.call([*words, "-o", str(folder)], watch)
     except KeyboardInterrupt:
         raise KeyboardStop(folder) from None
-    program.raise_for(outcome, folder)
-    return load_study(folder)
+    program.raise_for(outcome, folder, hidden)
 
 
 def _file_of(scenario: Scenario | str | os.PathLike[str]) -> AbstractContextManager[Path]:
@@ -106,8 +106,7 @@ def _override(value: Any) -> str:
 
 def _default_folder(file: Path, seed: int | None, overrides: Mapping[str, Any]) -> Path:
     """The folder that the program would choose. Unreadable values are left to the program, which reports them."""
-    if seed is None:
-        seed = overrides.get("run.seed")
+    seed = overrides.get("run.seed") if seed is None else seed
     if seed is None:
         try:
             seed = tomllib.loads(read_text(file).removeprefix("\ufeff")).get("run", {}).get("seed", 1)

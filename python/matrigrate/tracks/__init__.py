@@ -15,7 +15,7 @@ import numbers
 import os
 from collections import Counter
 from collections.abc import Mapping, Sequence
-from functools import cached_property
+from functools import cache, cached_property
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -26,7 +26,6 @@ from ..base.load_core import core
 from ..errors import ConfigurationError, InputOutputError, refuse
 from ..results.results import Run
 from ..results.studies import Study
-from . import motility
 
 if TYPE_CHECKING:
     import pandas
@@ -35,6 +34,18 @@ if TYPE_CHECKING:
 
 __all__ = ["Tracks", "from_frame", "meaning", "of", "read"]
 
+needs = {
+    "directionality_ratio": "needs tracks of more than ten intervals",
+    "directionality_time_min": "needs tracks on which the ratio falls below one half",
+    "persistence_min": "needs three lags, and a time between half an interval and the largest lag",
+    "msd_slope_short": "needs tracks of three positions",
+    "msd_slope_long": "needs tracks of five positions",
+    "anisotropy": "needs tracks of four positions that move both along and across",
+    "turning_angle_deg": "needs two steps after one another",
+    "turning_cosine": "needs two steps after one another",
+}  #: of tracks, by the read-out; the others need two positions
+
+_farthest = 1e9  # um, a kilometre: squares of what is beyond would not be numbers
 _off_grid = 0.01  # of an interval
 _resamples = 200  # of the bootstrap
 _leap = 10.0  # over the median step
@@ -42,9 +53,18 @@ _alike = 0.8  # correlation of the steps of a cell that was found twice
 _least_steps = 5  # of both tracks of a pair
 
 
+@cache
+def meanings() -> dict[str, str]:
+    """By the name of a read-out of tracks what it means; none without the compiled module, which computes them."""
+    try:
+        return dict(core().track_readouts)
+    except (ImportError, AttributeError):  # no module, or one of an earlier version
+        return {}
+
+
 def meaning(readout: str) -> str:
     """The meaning of a read-out of tracks, in words."""
-    return motility.meanings().get(readout, readout)
+    return meanings().get(readout, readout)
 
 
 class Tracks(Mapping[str, Any]):
@@ -128,15 +148,15 @@ class Tracks(Mapping[str, Any]):
         parts = self._parts if interval is None else self.every(interval)._parts
         if (said := parts.buried(error)) and said not in self.notes:
             self.notes.append(said)
-        meanings = motility.meanings()
+        words = meanings()
         values = parts.readouts(error)
         drawn = self._drawn if interval is None and error == 0 and resamples == _resamples else _resampled(parts, error, resamples)
         return require_pandas().DataFrame({"value": values, "standard_error": core().standard_errors(values, drawn),
-                                    "unit": [unit_of(name) for name in meanings], "meaning": list(meanings.values())}, index=list(meanings))
+                                    "unit": [unit_of(name) for name in words], "meaning": list(words.values())}, index=list(words))
 
     def covariance(self, readouts: Sequence[str]) -> np.ndarray[Any, Any]:
         """Of the errors of these read-outs, by the bootstrap of ``readouts()``."""
-        names = list(motility.meanings())
+        names = list(meanings())
         table = self._drawn[:, [names.index(name) for name in readouts]]
         return np.atleast_2d(np.cov(table[np.isfinite(table).all(axis=1)].T))
 
@@ -183,8 +203,8 @@ class Tracks(Mapping[str, Any]):
     @cached_property
     def _parts(self) -> _core.TrackParts:
         reach = {name: np.nanmax(np.abs(track), initial=0.0) for name, track in self.items()}
-        refuse([f"track {name}: positions reach {far:.3g} um; read-outs are defined up to {motility.farthest:g} um (pixel)"
-                for name, far in reach.items() if not far <= motility.farthest])
+        refuse([f"track {name}: positions reach {far:.3g} um; read-outs are defined up to {_farthest:g} um (pixel)"
+                for name, far in reach.items() if not far <= _farthest])
         return core().TrackParts(list(self.values()), self.interval)
 
     @cached_property
@@ -195,7 +215,7 @@ class Tracks(Mapping[str, Any]):
 
 def _resampled(parts: _core.TrackParts, error: float, resamples: int) -> np.ndarray[Any, Any]:
     """Read-outs of sets of tracks drawn with replacement, a row a set: always the same ones; none of a single track."""
-    return np.reshape(parts.drawn(error, max(0, resamples)), (-1, len(motility.meanings())))
+    return np.reshape(parts.drawn(error, max(0, resamples)), (-1, len(meanings())))
 
 
 def read(file: str | os.PathLike[str], *, pixel: float | None = None, frame_interval: float | None = None,
