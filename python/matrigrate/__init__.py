@@ -24,8 +24,9 @@ from .results.fields import Field, Fields
 from .results.results import CellOfRun, CellsOfRun, Readouts, ReadoutsOfCells, Run, load, meaning
 from .results.simulate import run, run_study
 from .results.studies import Runs, Study, load_study
-from .scenario.scenario import Scenario, Section
+from .scenario.scenario import Scenario
 from .scenario.schema import Parameter
+from .scenario.sections import Section
 from .simulation import Cell, Matrix, Simulation
 
 __all__ = [

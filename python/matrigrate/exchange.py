@@ -75,8 +75,9 @@ def _ome_tiff(fields: Fields, file: Path, pixel: float | None, title: str, versi
     names = _channels(fields)
     count = len(fields.times) * len(names)
     even, interval = evenly(fields.times)
+    content = hashlib.sha256(fields.file.read_bytes()).hexdigest()  # of which the name follows, so that the same run makes the same bytes
     about: dict[str, Any] = {
-        "axes": "TCYX", "Name": title, "Creator": f"Matrigrate {version}", "UUID": _name_of(fields, pixel),
+        "axes": "TCYX", "Name": title, "Creator": f"Matrigrate {version}", "UUID": f"urn:uuid:{uuid.uuid5(uuid.NAMESPACE_OID, f'{content} {pixel}')}",
         "PhysicalSizeX": pixel, "PhysicalSizeXUnit": "µm", "PhysicalSizeY": pixel, "PhysicalSizeYUnit": "µm",
         "Channel": {"Name": [name for name, *_ in names]},
         "Plane": {"DeltaT": [float(t) for t in np.repeat(fields.times, len(names))], "DeltaTUnit": ["s"] * count}}
@@ -85,11 +86,6 @@ def _ome_tiff(fields: Fields, file: Path, pixel: float | None, title: str, versi
     with tifffile.TiffWriter(file, ome=True, bigtiff=4 * side * side * count > 3_500_000_000) as writer:
         writer.write(_pages(fields, names, middles, radius, spacing), shape=(len(fields.times), len(names), side, side), dtype=np.float32,
                      photometric="minisblack", compression="zlib", resolution=(1e4 / pixel, 1e4 / pixel), resolutionunit="CENTIMETER", metadata=about)
-
-
-def _name_of(fields: Fields, pixel: float) -> str:
-    """A name of the stack that follows from what is in it, so that the same run makes the same bytes."""
-    return f"urn:uuid:{uuid.uuid5(uuid.NAMESPACE_OID, hashlib.sha256(fields.file.read_bytes()).hexdigest() + f' {pixel}')}"
 
 
 def _channels(fields: Fields) -> list[tuple[str, str, int | None]]:

@@ -39,11 +39,14 @@ def path(run: Run | Tracks | Mapping[str, Run], axes: Axes | None = None, *, tog
         return axes
     runs = {"": arguments.one_of("run", run, Run)} if not isinstance(run, Mapping) else dict(run)
     _pyplot()  # says what is missing before tables are read
-    named_by = _labels(run.study) if isinstance(run, Runs) and run.study is not None else {}
+    named_by: Mapping[str, str] = {}
+    if isinstance(run, Runs) and run.study is not None:
+        named_by = run.study.results.set_index("run")["label"].map(_points(run.study, with_name=True)[0]).to_dict()
     paths = [(named_by.get(name, _words.plain(name)) if len(runs) > 1 else f"cell {number}", number, cell.tracks)
              for name, one in runs.items() for number, cell in one.cells.items()]
     if together:
-        paths = [(name, number, _from_start(track)) for name, number, track in paths]
+        paths = [(name, number, track.assign(**{axis: track[axis] - track[axis].iloc[0] for axis in ("x_um", "y_um")}))
+                 for name, number, track in paths]
     axes = axes or _new_axes(figsize=_shape([table for _, _, table in paths]))
     lines: list[str] = []  # each has a colour and its name
     for name, number, track in paths:
@@ -65,10 +68,6 @@ def path(run: Run | Tracks | Mapping[str, Run], axes: Axes | None = None, *, tog
     if 1 < len(lines) <= 8:
         axes.legend(frameon=False, loc="upper left", bbox_to_anchor=(1.0, 1.0))
     return axes
-
-
-def _from_start(track: pandas.DataFrame) -> pandas.DataFrame:
-    return track.assign(x_um=track["x_um"] - track["x_um"].iloc[0], y_um=track["y_um"] - track["y_um"].iloc[0])
 
 
 def frame(run: Run, t: float | None = None, field: str = "displacement", axes: Axes | None = None, *,
@@ -273,12 +272,6 @@ def _is_named_by(label: str, column: str) -> bool:
     """Whether a label was made of the name of a parameter, not given by the author of the study."""
     parameter = _words.parameter_of(column)
     return parameter is not None and any(re.search(rf"(^|[ .]){re.escape(name)} ", label) for name in (parameter.key, parameter.symbol) if name)
-
-
-def _labels(study: Study) -> dict[str, str]:
-    """By the name of a run what its point is called."""
-    known = _points(study, with_name=True)[0]
-    return {run: known[label] for run, label in zip(study.results["run"], study.results["label"], strict=True)}
 
 
 def _shape(tracks: list[Any]) -> tuple[float, float]:

@@ -10,7 +10,7 @@ import subprocess
 import tempfile
 import webbrowser
 from collections.abc import Callable, Iterator, Sequence
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from dataclasses import dataclass
 from pathlib import Path
 from typing import IO, Any
@@ -83,10 +83,8 @@ def call(words: Sequence[str], watch: Callable[[], None] | None = None) -> Outco
 
 def _wait(process: subprocess.Popen[bytes], watch: Callable[[], None] | None) -> None:
     while process.poll() is None:
-        try:
+        with suppress(subprocess.TimeoutExpired):
             process.wait(_look_every if watch else None)
-        except subprocess.TimeoutExpired:
-            pass
         if watch:
             watch()
 

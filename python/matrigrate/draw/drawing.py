@@ -121,6 +121,7 @@ def _place(fields: Fields, k: int, follow: int | bool) -> tuple[Array, float]:
 def matrix(axes: Axes, fields: Fields, field: str, k: int, window: Window, limits: tuple[float, float], fluid: bool) -> Any:
     """The matrix as a smooth field, and obstacles; returns what a colour bar is made of."""
     from matplotlib.cm import ScalarMappable
+    from matplotlib.collections import PolyCollection
     from matplotlib.colors import Normalize, to_rgb
 
     place, spacing = fields["matrix/position"][k][:, :2].astype(float), float(fields["matrix/spacing"][0])
@@ -140,15 +141,10 @@ def matrix(axes: Axes, fields: Fields, field: str, k: int, window: Window, limit
     picture = strength * shown.to_rgba(mean)[..., :3] + (1 - strength) * np.array(to_rgb(_ground))
     axes.imshow(within * picture + (1 - within), extent=grid.extent, interpolation="bilinear", zorder=0)
     if "matrix/obstacle" in fields:
-        _squares(axes, fields["matrix/reference"][:, :2][values_of(fields, "obstacle", k) == 1], spacing)
+        corners = 0.54 * spacing * np.array([(-1, -1), (1, -1), (1, 1), (-1, 1)])
+        places = fields["matrix/reference"][:, :2][values_of(fields, "obstacle", k) == 1]
+        axes.add_collection(PolyCollection(places[:, None, :] + corners, facecolor=_obstacle, linewidth=0, zorder=1))
     return shown
-
-
-def _squares(axes: Axes, places: Array, spacing: float) -> None:
-    from matplotlib.collections import PolyCollection
-
-    corners = 0.54 * spacing * np.array([(-1, -1), (1, -1), (1, 1), (-1, 1)])
-    axes.add_collection(PolyCollection(places[:, None, :] + corners, facecolor=_obstacle, linewidth=0, zorder=1))
 
 
 def cell(axes: Axes, outline: Array, front: Array, number: int, cells: int) -> None:

@@ -98,7 +98,9 @@ def compare(study: Source | Emulators, control: Any, treated: Any, readouts: Seq
         scipy()
         folders = dict.fromkeys(str(one.folder) for one in runs.studies.values())
         made = replace(of_points(points, prior, seed), study=", ".join(folders))
-    _require_inside(values, made)
+    ends = dict(zip(made.prior.names, zip(made.prior.low, made.prior.high, strict=True), strict=True))
+    refuse([f"known: {name}: {one:g} lies outside of {ends[name][0]:g} to {ends[name][1]:g}, the range of the study"
+            for name, value in values.items() for one in value if not ends[name][0] <= one <= ends[name][1]])
     tells = [name for name, one in zip(made.names, made.processes, strict=True) if one.tells]
     if not tells:
         raise ConfigurationError("no read-out depends on a parameter, as far as the points can tell: nothing can be "
@@ -135,21 +137,11 @@ def _asked_for(points: Points, groups: Sequence[Group], known: Any, parameters: 
     may = [name for name in wanted.values() if name not in values]
     faults += [f"known: {name}: {value!r} are no {len(groups)} numbers: one for "
                f"{', one for '.join(group.name for group in groups)}"
-               for name, value in values.items() if not _are_numbers(value, len(groups))]
+               for name, value in values.items()
+               if not (isinstance(value, Sequence) and len(value) == len(groups) and all(map(arguments.is_number, value)))]
     faults += more + ([] if may or faults or more else ["parameters: none is left that may differ"])
     for group in groups:
         faults += said(group.name, size_faults(group.wanted.table, points.values))
     off, errors = discrepancies(discrepancy, {"": list(points.values)})
     refuse(faults + off)
     return values, may, errors
-
-
-def _are_numbers(value: Any, many: int) -> bool:
-    return isinstance(value, Sequence) and len(value) == many and all(map(arguments.is_number, value))
-
-
-def _require_inside(values: Mapping[str, Sequence[float]], emulators: Emulators) -> None:
-    prior = emulators.prior
-    ends = {name: (prior.low[k], prior.high[k]) for k, name in enumerate(prior.names)}
-    refuse([f"known: {name}: {one:g} lies outside of {ends[name][0]:g} to {ends[name][1]:g}, the range of the study"
-            for name, value in values.items() for one in value if not ends[name][0] <= one <= ends[name][1]])

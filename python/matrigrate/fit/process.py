@@ -127,7 +127,9 @@ class Process:
         linalg = scipy().linalg
         self._cube, self._runs = cube, runs
         likelihood = _Likelihood(cube, y, runs, linear)
-        self.best = _best(likelihood, np.zeros(likelihood.many) if like is None else like.best)
+        begin = np.zeros(likelihood.many) if like is None else like.best
+        self.best = np.asarray(scipy().optimize.minimize(likelihood, begin, jac=True, method="L-BFGS-B", bounds=[(-6.0, 6.0)] * likelihood.many,
+                                                         options={"maxiter": 60, "ftol": 1e-7}).x)  # the setting with the highest posterior
         self.roots: Array = _roots(likelihood, self.best) if like is None else like.roots
         self._members = []
         for setting, share in _settings(likelihood, self.best, self.roots, np.random.default_rng(seed), 1.0 if like is None else _less):
@@ -184,12 +186,6 @@ class Process:
 
     def _noise(self, setting: _Setting) -> Array:
         return np.diag(setting.of_run(self._cube) / self._runs + _jitter)
-
-
-def _best(likelihood: _Likelihood, begin: Array) -> Array:
-    """The setting with the highest posterior."""
-    return np.asarray(scipy().optimize.minimize(likelihood, begin, jac=True, method="L-BFGS-B", bounds=[(-6.0, 6.0)] * likelihood.many,
-                                          options={"maxiter": 60, "ftol": 1e-7}).x)
 
 
 def _roots(likelihood: _Likelihood, best: Array) -> Array:

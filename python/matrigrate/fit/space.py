@@ -21,7 +21,6 @@ class Region:
     sample: Array  #: uniform over it, a row per point; none if it was not found
     share: float  #: of the cube
     best: Array  #: the point where the function was least
-    least: float
 
 
 def below(function: Callable[[Array], Array], level: float, cube: Array, known: Array, seed: int) -> Region:
@@ -36,7 +35,7 @@ def below(function: Callable[[Array], Array], level: float, cube: Array, known: 
     for _ in range(_most_levels):
         inside = value < level
         if inside.sum() >= min(_enough, 0.5 * len(value)):
-            return Region(place[inside], share * float(inside.mean()), best, least)
+            break
         step = max(level, float(np.quantile(value, _kept)))
         keep = value < step
         if keep.sum() < 10:
@@ -48,7 +47,7 @@ def below(function: Callable[[Array], Array], level: float, cube: Array, known: 
         elif step > level and value.min() > level and np.quantile(value, _kept) > 0.999 * step:
             break  # the levels fall no further
     inside = value < level
-    return Region(place[inside], share * float(inside.mean()) if inside.any() else 0.0, best, least)
+    return Region(place[inside], share * float(inside.mean()) if inside.any() else 0.0, best)
 
 
 def _walk(function: Callable[[Array], Array], level: float, place: Array, value: Array, random: np.random.Generator) -> tuple[Array, Array]:

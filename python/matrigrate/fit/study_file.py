@@ -34,7 +34,7 @@ def write_points(file: Path, points: pandas.DataFrame, like: Study | str | os.Pa
     refuse([f"{column}: is no parameter of the program; the next wave is written of a fit whose columns are named as in the tables of a study"
             for column, known in named.items() if known is None])
     text = _without_points(text, source.parent, file.parent)
-    first = _next_wave(text)
+    first = max((int(number) for number in re.findall(r"^# after wave (\d+)$", text, re.MULTILINE)), default=1) + 1  # at the head
     for k, row in enumerate(points.to_dict("records"), 1):
         text += f"\n[[points]]\nlabel = \"wave {first}, point {k}\"\n"
         text += "".join(f"{known.path} = {_value(known, row[column])}\n" for column, known in named.items() if known)
@@ -67,11 +67,6 @@ def _parameter(column: str, varied: Iterable[str]) -> schema.Parameter | None:
     """The parameter of a column. A bare number of a constant of the laws is in the unit of the column."""
     known = max((path for path in varied if column == path or column.startswith(f"{path}_")), key=len, default="")
     return schema.Parameter(known, "ratio", "", "", "", "1", 1.0, "", ()) if known else words.parameter_of(column)
-
-
-def _next_wave(text: str) -> int:
-    """One more than the number that ``_without_points`` put at the head."""
-    return max((int(number) for number in re.findall(r"^# after wave (\d+)$", text, re.MULTILINE)), default=1) + 1
 
 
 def _value(parameter: schema.Parameter, value: float) -> str:

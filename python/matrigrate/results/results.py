@@ -152,7 +152,12 @@ class Run:
 
     def __init__(self, folder: str | os.PathLike[str]) -> None:
         self.folder = arguments.path("folder", folder, "the path of a run")
-        _require_run(self.folder)
+        if not (self.folder / "run.json").is_file():
+            why = "there is no such folder" if not self.folder.exists() else \
+                "is a file; the folder of a run is expected" if not self.folder.is_dir() else \
+                "is a study; matrigrate.load_study reads it" if (self.folder / "study.resolved.toml").exists() else \
+                "is no folder of a run: it has no run.json"
+            raise InputOutputError(f"{self.folder}: {why}", self.folder)
         self.record: dict[str, Any] = read_json(self.folder / "run.json")
         """run.json: version, seed, steps, wall_time_s, trajectory_hash, lineage and more, as when the run was loaded."""
         if not isinstance(self.record.get("status"), str):
@@ -282,14 +287,13 @@ class Run:
             for name, value in cell.items():
                 if isinstance(value, bool) or not isinstance(value, (int, float, type(None))):
                     raise InputOutputError(f"{path}: is damaged: {name} is no number", self.folder)
-        if "cells" not in values:
-            self._require_unchanged("summary.json")
-            return Readouts(values)
-        if [cell.get("cell") for cell in cells] != list(range(1, len(cells) + 1)) or len(set(map(frozenset, cells))) > 1:
+        several = "cells" in values
+        numbers = [cell.get("cell") for cell in cells]
+        if several and (numbers != list(range(1, len(cells) + 1)) or len(set(map(frozenset, cells))) > 1):
             raise InputOutputError(f"{path}: is damaged: its cells are not numbered from 1, with the same read-outs",
                                    self.folder)
         self._require_unchanged("summary.json")
-        return ReadoutsOfCells(cells)
+        return ReadoutsOfCells(cells) if several else Readouts(values)
 
     @functools.cached_property
     def scenario(self) -> dict[str, Any]:
@@ -345,12 +349,9 @@ class Run:
             return False
         try:
             with open(self.folder / ".lock", "rb") as lock:
-                try:
-                    fcntl.flock(lock, fcntl.LOCK_SH | fcntl.LOCK_NB)
-                except BlockingIOError:
-                    return True
-        except OSError:
-            pass
+                fcntl.flock(lock, fcntl.LOCK_SH | fcntl.LOCK_NB)
+        except OSError as error:
+            return isinstance(error, BlockingIOError)
         return False
 
 
@@ -413,18 +414,6 @@ class CellsOfRun(dict[int, CellOfRun]):
 
     def __repr__(self) -> str:
         return f"CellsOfRun({len(self)}: {', '.join(map(str, self))})"
-
-
-def _require_run(folder: Path) -> None:
-    if (folder / "run.json").is_file():
-        return
-    if not folder.exists():
-        raise InputOutputError(f"{folder}: there is no such folder", folder)
-    if not folder.is_dir():
-        raise InputOutputError(f"{folder}: is a file; the folder of a run is expected", folder)
-    if (folder / "study.resolved.toml").exists():
-        raise InputOutputError(f"{folder}: is a study; matrigrate.load_study reads it", folder)
-    raise InputOutputError(f"{folder}: is no folder of a run: it has no run.json", folder)
 
 
 def load(folder: str | os.PathLike[str]) -> Run:

@@ -47,13 +47,11 @@ class Study:
 
     def __init__(self, folder: str | os.PathLike[str]) -> None:
         self.folder = arguments.path("folder", folder, "the path of a study")
-        if (self.folder / "study.resolved.toml").is_file():
-            return
-        if not self.folder.exists():
-            raise InputOutputError(f"{self.folder}: there is no such folder", self.folder)
-        if (self.folder / "run.json").exists():
-            raise InputOutputError(f"{self.folder}: is a single run; matrigrate.load reads it", self.folder)
-        raise InputOutputError(f"{self.folder}: is no folder of a study: it has no study.resolved.toml", self.folder)
+        if not (self.folder / "study.resolved.toml").is_file():
+            why = "there is no such folder" if not self.folder.exists() else \
+                "is a single run; matrigrate.load reads it" if (self.folder / "run.json").exists() else \
+                "is no folder of a study: it has no study.resolved.toml"
+            raise InputOutputError(f"{self.folder}: {why}", self.folder)
 
     def __repr__(self) -> str:
         return f"Study({str(self.folder)!r}: {len(self.runs)} runs)"

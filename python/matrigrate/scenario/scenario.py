@@ -16,7 +16,7 @@ from ..base.load_core import core
 from ..errors import ConfigurationError, Fault, InputOutputError
 from . import constants, schema
 from .schema import Parameter, Value
-from .sections import Section as Section, Sections, classes, help_text, of, unknown
+from .sections import Sections, classes, help_text, of, unknown
 
 _usual_adaptive_step = 5.0  # s; the reference has the schema's default
 

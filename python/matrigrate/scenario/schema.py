@@ -152,8 +152,3 @@ def judge(path: str, value: Any) -> tuple[str, float]:
     words = "a number beyond 64 bits" if isinstance(value, int) else type_words(value)
     fault, number = core().judged(path, value.encode("utf-8", "replace").decode() if isinstance(value, str) else value, words)
     return fault, number
-
-
-def unknown_words(path: str, is_section: bool = False) -> str:
-    """The message on a name that does not exist."""
-    return str(core().unknown_name(path, is_section))

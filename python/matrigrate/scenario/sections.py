@@ -6,6 +6,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
+from ..base.load_core import core
 from ..errors import Fault, UnknownParameter
 from . import schema
 from .constants import Constants
@@ -105,4 +106,4 @@ Sections = type("Sections", (), {name: _section(name) for name in classes if "."
 
 def unknown(path: str, is_section: bool = False) -> UnknownParameter:
     """The exception for a name that nothing has, with the nearest that something has."""
-    return UnknownParameter(Fault(path, schema.unknown_words(path, is_section)))
+    return UnknownParameter(Fault(path, core().unknown_name(path, is_section)))
