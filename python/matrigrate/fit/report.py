@@ -74,7 +74,7 @@ def _is_named(name: str) -> bool:
     return _words.words(name) != name.replace("_", " ")
 
 
-def table(made: pandas.DataFrame, heads: dict[str, str] | None = None) -> str:
+def table(made: pandas.DataFrame, heads: dict[str, str]) -> str:
     """A table, its rows by parameter or read-out in words with symbol and unit.
 
     :param heads: of columns, if other than their names
@@ -86,8 +86,8 @@ def table(made: pandas.DataFrame, heads: dict[str, str] | None = None) -> str:
             return f"{value:.3g}".replace("-", "−") if np.isfinite(value) else ""
         return named(str(value)) if _is_named(str(value)) else html.escape(str(value))
 
-    said = {name: (heads or {}).get(name, name if " " in name else name.replace("_", " ")) for name in map(str, made.columns)}
-    head = "".join(f"<th>{_words.lettered(html.escape(text))}</th>" for text in ["", *said.values()])
+    said = [heads.get(name, name if " " in name else name.replace("_", " ")) for name in map(str, made.columns)]
+    head = "".join(f"<th>{_words.lettered(html.escape(text))}</th>" for text in ["", *said])
     rows = "".join("<tr>" + "".join(f"<td>{cell(value)}</td>" for value in (name, *row)) + "</tr>"
                    for name, row in zip(made.index, made.itertuples(index=False), strict=True))
     return f"<table><thead><tr>{head}</tr></thead><tbody>{rows}</tbody></table>"

@@ -63,7 +63,7 @@ def run(scenario: Scenario | str | os.PathLike[str], out: str | os.PathLike[str]
         _call(words, folder, watch, file if isinstance(scenario, Scenario) else None)
     done = load(folder)
     if watch is not None:
-        watch.end(done)
+        watch.tell(float(done.record["t_s"]), 1.0)
     return done
 
 
@@ -137,15 +137,9 @@ class _Watch:
             t, whole = float(row[header.index("t_s")]), float(record["duration_s"])
         except (OSError, ValueError, KeyError, IndexError):
             return  # its first files are being written
-        self._tell(t, min(1.0, t / whole))
+        self.tell(t, min(1.0, t / whole))
 
-    def end(self, run: Run) -> None:
-        """Reports the end, once."""
-        t = run.record.get("t_s")
-        if isinstance(t, (int, float)):
-            self._tell(float(t), 1.0)
-
-    def _tell(self, t: float, share: float) -> None:
+    def tell(self, t: float, share: float) -> None:
         if t > self._told:
             self._told = t
             self._progress(t, share)

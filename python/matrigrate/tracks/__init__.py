@@ -16,6 +16,7 @@ import os
 from collections import Counter
 from collections.abc import Mapping, Sequence
 from functools import cache, cached_property
+from itertools import combinations
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -169,19 +170,17 @@ class Tracks(Mapping[str, Any]):
         """A row for each pair of tracks that are there together for at least five steps: ``track``, ``other``, mean ``distance_um``, and the
         ``correlation`` of their steps: 1 if both walk alike."""
         firsts, found = self._firsts(), []
-        names = list(self)
-        for k, name in enumerate(names):
-            for other in names[k + 1:]:
-                begin = max(firsts[name], firsts[other])
-                a, b = self[name][begin - firsts[name]:], self[other][begin - firsts[other]:]
-                many = min(len(a), len(b))
-                steps = np.hstack([np.diff(a[:many], axis=0), np.diff(b[:many], axis=0)]) if many > 1 else np.empty((0, 4))
-                steps = steps[np.isfinite(steps).all(axis=1)]
-                if len(steps) < _least_steps:
-                    continue
-                size = math.sqrt(float((steps[:, :2]**2).sum() * (steps[:, 2:]**2).sum()))
-                alike = float((steps[:, :2] * steps[:, 2:]).sum()) / size if size else float("nan")
-                found.append((name, other, float(np.nanmean(np.hypot(*(a[:many] - b[:many]).T))), alike))
+        for name, other in combinations(self, 2):
+            begin = max(firsts[name], firsts[other])
+            a, b = self[name][begin - firsts[name]:], self[other][begin - firsts[other]:]
+            many = min(len(a), len(b))
+            steps = np.hstack([np.diff(a[:many], axis=0), np.diff(b[:many], axis=0)]) if many > 1 else np.empty((0, 4))
+            steps = steps[np.isfinite(steps).all(axis=1)]
+            if len(steps) < _least_steps:
+                continue
+            size = math.sqrt(float((steps[:, :2]**2).sum() * (steps[:, 2:]**2).sum()))
+            alike = float((steps[:, :2] * steps[:, 2:]).sum()) / size if size else float("nan")
+            found.append((name, other, float(np.nanmean(np.hypot(*(a[:many] - b[:many]).T))), alike))
         return require_pandas().DataFrame(found, columns=["track", "other", "distance_um", "correlation"])
 
     def suspects(self, nearer: float = 10.0) -> pandas.DataFrame:
