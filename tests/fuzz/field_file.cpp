@@ -25,8 +25,8 @@ bool belong_together(const matrigrate::observe::Film& film) {
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace matrigrate::store;
   const std::string_view bytes(reinterpret_cast<const char*>(data), size);
-  for (const auto& read : {read_field_file, whole_frames_of}) try {
-      if (!belong_together(read(bytes))) std::abort();
+  for (const Wanted wanted : {Wanted::all, Wanted::whole}) try {
+      if (!belong_together(read_field_file(bytes, wanted))) std::abort();
     } catch (const matrigrate::InputOutputError&) { // refused
     }
   return 0;

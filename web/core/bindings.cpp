@@ -266,9 +266,9 @@ val frame(const val& spare) {
   floats("fMat", f.outline.f_mat);
   floats("force", f.outline.force);
   if (!f.nucleus.empty()) floats("nucleus", f.nucleus);
-  if (!f.protrusions.cell.empty()) floats("cells", observe::as_floats(f.protrusions.cell));
-  floats("ids", observe::as_floats(f.protrusions.id));
-  floats("centres", observe::as_floats(f.protrusions.centre));
+  if (!f.protrusions.cell.empty()) floats("cells", f.protrusions.cell);
+  floats("ids", f.protrusions.id);
+  floats("centres", f.protrusions.centre);
   bytes("phases", f.protrusions.phase);
   floats("anchors", f.protrusions.anchor);
   floats("fMats", f.protrusions.f_mat);

@@ -1,6 +1,5 @@
 #include "observe/frame.hpp"
 
-#include "base/failure.hpp"
 #include "base/parallel.hpp"
 #include "cell/actomyosin.hpp"
 #include "cell/geometry.hpp"
@@ -166,8 +165,8 @@ void add_protrusions(ProtrusionFrame& out, const Cell& cell, const AdhesionParam
   for (const Protrusion& protrusion : cell.protrusions) {
     const LawPlace place = place_at(places, protrusion.centre);
     const Vec2* adhered = anchor(protrusion.phase);
-    out.id.push_back(static_cast<std::uint32_t>(protrusion.record.id));
-    out.centre.push_back(static_cast<std::uint32_t>(protrusion.centre));
+    out.id.push_back(static_cast<float>(protrusion.record.id));
+    out.centre.push_back(static_cast<float>(protrusion.centre));
     out.phase.push_back(static_cast<std::uint8_t>(protrusion.phase.index()));
     add(out.anchor, adhered != nullptr ? *adhered : Vec2(undefined, undefined));
     out.f_mat.push_back(static_cast<float>(f_mat_of(protrusion.phase, laws, place)));
@@ -178,7 +177,7 @@ void add_protrusions(ProtrusionFrame& out, const Cell& cell, const AdhesionParam
 } // namespace
 
 std::span<const FrameField<Floats>> float_fields() {
-  static constexpr std::array<FrameField<Floats>, 15> all{{
+  static constexpr std::array<FrameField<Floats>, 19> all{{
       {"matrix/displacement", "um", 2, [](Frame& f) -> Floats& { return f.matrix.displacement; }},
       {"matrix/velocity", "um/s", 2, [](Frame& f) -> Floats& { return f.matrix.velocity; }},
       {"matrix/f_degr", "1", 1, [](Frame& f) -> Floats& { return f.matrix.f_degr; }},
@@ -189,11 +188,15 @@ std::span<const FrameField<Floats>> float_fields() {
       {"outline/f_mat", "1", 1, [](Frame& f) -> Floats& { return f.outline.f_mat; }},
       {"outline/curvature", "1/um", 1, [](Frame& f) -> Floats& { return f.outline.curvature; }},
       {"outline/actomyosin_force", "nN", 1, [](Frame& f) -> Floats& { return f.outline.force; }},
+      {"protrusions/id", "1", 1, [](Frame& f) -> Floats& { return f.protrusions.id; }, true},
+      {"protrusions/centre", "1", 1, [](Frame& f) -> Floats& { return f.protrusions.centre; }, true},
+      {"protrusions/cell", "1", 1, [](Frame& f) -> Floats& { return f.protrusions.cell; }, true, false},
       {"protrusions/anchor", "um", 2, [](Frame& f) -> Floats& { return f.protrusions.anchor; }},
       {"protrusions/f_mat", "1", 1, [](Frame& f) -> Floats& { return f.protrusions.f_mat; }},
       {"protrusions/force", "nN", 1, [](Frame& f) -> Floats& { return f.protrusions.force; }},
-      {"matrix/attractant", "1", 1, [](Frame& f) -> Floats& { return f.matrix.attractant; }},
-      {"nucleus/position", "um", 2, [](Frame& f) -> Floats& { return f.nucleus; }},
+      {"matrix/attractant", "1", 1, [](Frame& f) -> Floats& { return f.matrix.attractant; }, false, false},
+      {"nucleus/position", "um", 2, [](Frame& f) -> Floats& { return f.nucleus; }, false, false},
+      {"outline/cell", "1", 1, [](Frame& f) -> Floats& { return f.outline.cell; }, true, false},
   }};
   return all;
 }
@@ -206,30 +209,6 @@ std::span<const FrameField<Bytes>> byte_fields() {
       {"protrusions/phase", "1", 1, [](Frame& f) -> Bytes& { return f.protrusions.phase; }},
   }};
   return all;
-}
-
-std::span<const FrameField<Counts>> count_fields() {
-  static constexpr std::array<FrameField<Counts>, 4> all{{
-      {"protrusions/id", "1", 1, [](Frame& f) -> Counts& { return f.protrusions.id; }},
-      {"protrusions/centre", "1", 1, [](Frame& f) -> Counts& { return f.protrusions.centre; }},
-      {"outline/cell", "1", 1, [](Frame& f) -> Counts& { return f.outline.cell; }},
-      {"protrusions/cell", "1", 1, [](Frame& f) -> Counts& { return f.protrusions.cell; }},
-  }};
-  return all;
-}
-
-Floats as_floats(const Counts& counts) { return {counts.begin(), counts.end()}; }
-
-Counts as_counts(const Floats& numbers) {
-  constexpr float most = 16777216.0F;
-  Counts counts;
-  counts.reserve(numbers.size());
-  for (const float number : numbers) {
-    if (!(number >= 0.0F && number <= most && number == std::floor(number)))
-      throw InputOutputError("a number of a cell or protrusion is not whole");
-    counts.push_back(static_cast<std::uint32_t>(number));
-  }
-  return counts;
 }
 
 std::vector<std::size_t> outline_ends(const OutlineFrame& outline) {
@@ -275,7 +254,7 @@ Frame frame(const State& s, const Parameters& p, const Workspace& w) {
     add_protrusions(frame.protrusions, cell, p.adhesion, w.laws, places);
     for (const Vec2& x : cell.nucleus.x) add(frame.nucleus, x);
     if (s.cells.size() == 1) continue;
-    const auto number = static_cast<std::uint32_t>(number_of(cell.id));
+    const auto number = static_cast<float>(number_of(cell.id));
     frame.outline.cell.resize(frame.outline.f_mat.size(), number);
     frame.protrusions.cell.resize(frame.protrusions.id.size(), number);
   }

@@ -20,12 +20,6 @@ namespace matrigrate::observe {
 /// Numbers beside each other, those of an entry together: x0, y0, x1, y1, ...
 using Floats = std::vector<float>;
 using Bytes = std::vector<std::uint8_t>;
-using Counts = std::vector<std::uint32_t>;
-
-/// Whole numbers as files hold them, exact to 16,777,216.
-Floats as_floats(const Counts& counts);
-/// @throws InputOutputError if a number is not whole, negative or larger
-Counts as_counts(const Floats& numbers);
 
 inline constexpr std::uint8_t of_none = 255; ///< outline particles without a protrusion
 
@@ -49,7 +43,7 @@ struct OutlineFrame {
   Bytes front;      ///< 1 in the front of its cell; all of it before the first protrusion
   Bytes protrusion; ///< which of the frame's protrusions it belongs to, or of_none
   Bytes phase;      ///< of that protrusion, or of_none
-  Counts cell{};    ///< number of its cell, counted from 1; empty where there is a single one
+  Floats cell{};    ///< number of its cell, counted from 1; empty where there is a single one
 };
 
 /// Where the particles of each cell end: the index behind its last one. One entry a cell.
@@ -57,13 +51,13 @@ std::vector<std::size_t> outline_ends(const OutlineFrame& outline);
 
 /// Protrusions alive, of one cell after those of the other, in the order of initiation.
 struct ProtrusionFrame {
-  Counts id;     ///< as in protrusions.csv
-  Counts centre; ///< index of the central particle on its cell
+  Floats id;     ///< as in protrusions.csv
+  Floats centre; ///< index of the central particle on its cell
   Bytes phase;   ///< 0 growing, 1 maturing, 2 contracting, 3 finishing
   Floats anchor; ///< adhered point; NaN without one [um]
   Floats f_mat;  ///< maturation; 0 while growing [-]
   Floats force;  ///< of the adhesion; 0 without one [nN]
-  Counts cell{}; ///< number of its cell, counted from 1; empty where there is a single one
+  Floats cell{}; ///< number of its cell, counted from 1; empty where there is a single one
 };
 
 struct Frame {
@@ -104,20 +98,15 @@ struct FrameField {
   std::string_view unit;    ///< "1" for a ratio or a count
   std::uint32_t components; ///< 1, or 2 for vectors
   Numbers& (*of)(Frame&);
+  bool whole = false; ///< its numbers are whole, and not negative
+  bool of_all = true; ///< else of frames of several cells, with attractant or with nuclei only
 
   bool of_protrusions() const { return name.starts_with("protrusions/"); }
-  /// True if only frames of several cells have the field.
   bool of_several_cells() const { return name.ends_with("/cell"); }
-  /// True if only frames with attractant have the field.
-  bool of_attractant() const { return name == "matrix/attractant"; }
-  /// True if only frames of cells with nuclei have the field.
-  bool of_nuclei() const { return name == "nucleus/position"; }
-  bool of_all() const { return !of_several_cells() && !of_attractant() && !of_nuclei(); }
   const Numbers& in(const Frame& frame) const { return of(const_cast<Frame&>(frame)); } // of() only finds it
 };
 std::span<const FrameField<Floats>> float_fields();
 std::span<const FrameField<Bytes>> byte_fields();
-std::span<const FrameField<Counts>> count_fields();
 
 FrameHead frame_head(const State& s, const Parameters& p);
 

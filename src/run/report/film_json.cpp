@@ -122,7 +122,8 @@ Json outline_json(const observe::Film& film) {
   if (!film.frames.front().nucleus.empty())
     json["nucleus"] = packed(positions(film.head), n,
                              [&film](std::size_t k) -> const observe::Floats& { return film.frames[k].nucleus; });
-  if (const observe::Counts& cell = film.frames.front().outline.cell; !cell.empty()) json["cell"] = cell;
+  if (const observe::Floats& cell = film.frames.front().outline.cell; !cell.empty())
+    json["cell"] = std::vector<std::uint32_t>(cell.begin(), cell.end());
   return json;
 }
 
@@ -135,7 +136,7 @@ void keep(float value, std::size_t most, Queue& queue) {
 }
 
 /// Index on the outline of particle 0 of a cell.
-std::size_t first_of(const observe::OutlineFrame& outline, std::uint32_t cell) {
+std::size_t first_of(const observe::OutlineFrame& outline, float cell) {
   return static_cast<std::size_t>(std::ranges::find(outline.cell, cell) - outline.cell.begin());
 }
 
@@ -144,13 +145,13 @@ Json protrusions_json(const observe::Frame& frame) {
   Json list = Json::array();
   for (std::size_t i = 0; i < p.id.size(); ++i) {
     const std::size_t first = p.cell.empty() ? 0 : first_of(frame.outline, p.cell[i]);
-    list.push_back({{"id", p.id[i]},
+    list.push_back({{"id", static_cast<std::uint32_t>(p.id[i])},
                     {"phase", p.phase[i]},
-                    {"centre", first + p.centre[i]},
+                    {"centre", first + static_cast<std::size_t>(p.centre[i])},
                     {"anchor", std::isnan(p.anchor[2 * i]) ? Json() : Json{p.anchor[2 * i], p.anchor[2 * i + 1]}},
                     {"f_mat", p.f_mat[i]},
                     {"force_nN", p.force[i]}});
-    if (!p.cell.empty()) list.back()["cell"] = p.cell[i];
+    if (!p.cell.empty()) list.back()["cell"] = static_cast<std::uint32_t>(p.cell[i]);
   }
   return list;
 }

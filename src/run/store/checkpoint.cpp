@@ -128,7 +128,7 @@ struct StateReader {
         if constexpr (!Array<std::remove_reference_t<decltype(value)>>)
           (*this)(value, json.at(member.name), at);
         else if (file != nullptr && file->has(at))
-          read(value, at);
+          value = file->array<typename std::remove_reference_t<decltype(value)>::value_type>(at);
       });
   }
   template <Listed T>
@@ -162,12 +162,6 @@ struct StateReader {
       }
     throw std::invalid_argument("an adhesion does not end by \"" + word + "\"");
   }
-
-private:
-  void read(std::vector<double>& values, const std::string& at) const { values = file->doubles(at); }
-  void read(std::vector<Vec2>& values, const std::string& at) const { values = file->vectors(at); }
-  void read(std::vector<Mat2>& values, const std::string& at) const { values = file->matrices(at); }
-  void read(std::vector<std::uint8_t>& values, const std::string& at) const { values = file->bytes(at); }
 };
 
 State state_from(const std::string& text, const MemoryFile* file) {

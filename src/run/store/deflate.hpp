@@ -35,6 +35,15 @@ std::string byte_planes(std::span<const Number> values) {
   return planes;
 }
 
+/// The numbers of which these are the byte_planes().
+template <class Number>
+void from_byte_planes(std::string_view planes, std::span<Number> values) {
+  auto* bytes = reinterpret_cast<char*>(values.data());
+  for (std::size_t plane = 0; plane < sizeof(Number); ++plane)
+    for (std::size_t i = 0; i < values.size(); ++i)
+      bytes[i * sizeof(Number) + plane] = planes[plane * values.size() + i];
+}
+
 // Bytes as text. Test: tests/unit/store/store_test.cpp
 
 /// base64 with padding (RFC 4648).

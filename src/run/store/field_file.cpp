@@ -12,24 +12,12 @@
 #include <array>
 #include <cmath>
 #include <fstream>
+#include <functional>
 #include <optional>
 #include <utility>
 #include <vector>
 
 namespace matrigrate::store {
-
-Anchors anchors(const observe::Frame& frame) {
-  const observe::ProtrusionFrame& p = frame.protrusions;
-  Anchors all;
-  for (std::size_t i = 0; i < p.id.size(); ++i) {
-    if (std::isnan(p.anchor[2 * i])) continue;
-    all.x.insert(all.x.end(), {p.anchor[2 * i], p.anchor[2 * i + 1]});
-    all.id.push_back(p.id[i]);
-    all.f_mat.push_back(p.f_mat[i]);
-    all.force.push_back(p.force[i]);
-  }
-  return all;
-}
 
 namespace {
 
@@ -63,80 +51,84 @@ struct Column {
   FrameArray array;
 };
 
-/// Writes fields.h5 frame by frame.
+template <class Number>
+void append(std::vector<Number>& to, const std::vector<Number>& more) {
+  to.insert(to.end(), more.begin(), more.end());
+}
+
+/// Writes fields.h5 frame by frame, and fields.xdmf with it.
 class FieldWriter {
 public:
-  /// @param first   frame, which tells the sizes
-  FieldWriter(MemoryFile& file, const observe::FrameHead& head, const observe::Frame& first, std::size_t frames)
-      : m_file(file), m_frames(frames), m_several(!first.outline.cell.empty()) {
-    add_column(m_floats, "/matrix/position", 3, "um", first,
-               [&head](const observe::Frame& f) { return positions(head, f); });
-    add_column(m_bytes, "/matrix/solid", 1, "1", first, solid);
-    for (const auto& field : observe::float_fields())
-      if (!field.of_protrusions())
-        add_column(m_floats, fmt::format("/{}", field.name), field.components == 2 ? 3 : 1, field.unit, first,
-                   [&field](const observe::Frame& f) { return in_space(field.in(f), field.components); });
-      else
-        m_protrusions.emplace_back(); // a table's column
-    for (const auto& field : observe::count_fields())
-      if (!field.of_protrusions())
-        add_column(m_floats, fmt::format("/{}", field.name), 1, field.unit, first,
-                   [&field](const observe::Frame& f) { return observe::as_floats(field.in(f)); });
-      else
-        m_numbers.emplace_back();
-    for (const auto& field : observe::byte_fields())
-      if (!field.of_protrusions())
-        add_column(m_bytes, fmt::format("/{}", field.name), 1, field.unit, first,
-                   [&field](const observe::Frame& f) { return field.in(f); });
-  }
+  /// @param frames  how many there will be
+  FieldWriter(const observe::FrameHead& head, std::size_t frames) : m_head(head), m_frames(frames) {}
 
   void add(const observe::Frame& frame) {
+    if (m_times.empty()) begin(frame);
     write(m_floats, frame);
     write(m_bytes, frame);
-    const std::size_t alive = frame.protrusions.id.size();
-    m_frame_of_row.resize(m_frame_of_row.size() + alive, static_cast<std::uint32_t>(m_next));
-    auto column = m_protrusions.begin();
     for (const auto& field : observe::float_fields())
-      if (field.of_protrusions()) append(*column++, field.in(frame));
-    auto numbers = m_numbers.begin();
-    for (const auto& field : observe::count_fields())
-      if (field.of_protrusions()) append(*numbers++, field.in(frame));
-    append(m_phases, frame.protrusions.phase);
-    add_anchors(anchors(frame));
-    ++m_next;
+      if (field.of_protrusions()) append(field.of(m_table), field.in(frame));
+    append(m_table.protrusions.phase, frame.protrusions.phase);
+    m_frame_of_row.resize(m_table.protrusions.id.size(), static_cast<std::uint32_t>(m_times.size()));
+    m_times.push_back(frame.t);
   }
 
-  /// Writes the tables of protrusions and anchors of all frames.
-  void finish() {
-    m_file.write("/protrusions/frame", m_frame_of_row, "1");
-    auto numbers = m_numbers.begin();
-    for (const auto& field : observe::count_fields()) {
-      if (!field.of_protrusions()) continue;
-      if (m_several || !field.of_several_cells()) m_file.write(fmt::format("/{}", field.name), *numbers, field.unit);
-      ++numbers;
+  /// Writes what is of all frames.
+  void finish(const FieldOrigin& origin) {
+    if (!m_times.empty()) {
+      write_protrusions();
+      write_anchors();
     }
-    auto column = m_protrusions.begin();
-    for (const auto& field : observe::float_fields())
-      if (field.of_protrusions())
-        m_file.write_rows(fmt::format("/{}", field.name), in_space(*column++, field.components),
-                          field.components == 2 ? 3 : 1, field.unit);
-    m_file.write("/protrusions/phase", m_phases, "1");
-    write_anchors();
+    m_file.write_attribute("program", origin.program);
+    m_file.write_attribute("version", origin.version);
+    m_file.write_attribute("seed", origin.seed);
+    m_file.write_attribute("trajectory_hash", origin.trajectory_hash);
+    m_file.write_attribute("scenario", origin.scenario);
+    m_file.write("/time", m_times, "s");
+    m_file.write("/matrix/radius", std::vector{m_head.radius}, "um");
+    m_file.write("/matrix/spacing", std::vector{m_head.spacing}, "um");
+    m_file.write("/matrix/reference", in_space(m_head.reference, 2), "um", 3);
+    if (!m_head.obstacle.empty()) m_file.write("/matrix/obstacle", m_head.obstacle, "1");
+    for (std::size_t k = 0; k < m_head.layers.size(); ++k)
+      if (const MatrixField& layer = observe::matrix_layers()[k]; !m_head.layers[k].empty())
+        m_file.write(fmt::format("/matrix/{}", layer.layer), m_head.layers[k], layer.layer_unit);
+  }
+
+  void add_all(const observe::Film& film, const FieldOrigin& origin) {
+    for (const observe::Frame& frame : film.frames) add(frame);
+    finish(origin);
+  }
+
+  std::string_view image() const { return m_file.view(); }
+  std::size_t frames() const { return m_times.size(); }
+
+  void save(const std::filesystem::path& folder) const {
+    write_file(folder / field_file_name, image());
+    write_file(folder / field_index_name, field_index(m_first ? &*m_first : nullptr, m_times, m_adhesions));
   }
 
 private:
-  template <class Number>
-  static void append(std::vector<Number>& to, const std::vector<Number>& more) {
-    to.insert(to.end(), more.begin(), more.end());
+  /// @param first   frame, which tells the sizes
+  void begin(const observe::Frame& first) {
+    m_first = first;
+    m_adhesions.assign(m_frames, 0);
+    add_column(m_floats, "matrix/position", 3, "um", [this](const observe::Frame& f) { return positions(m_head, f); });
+    add_column(m_bytes, "matrix/solid", 1, "1", solid);
+    for (const auto& field : observe::float_fields())
+      if (!field.of_protrusions())
+        add_column(m_floats, field.name, field.components == 2 ? 3 : 1, field.unit,
+                   [&field](const observe::Frame& f) { return in_space(field.in(f), field.components); });
+    for (const auto& field : observe::byte_fields())
+      if (!field.of_protrusions())
+        add_column(m_bytes, field.name, 1, field.unit, [&field](const observe::Frame& f) { return field.in(f); });
   }
 
   template <class Number, class Of>
-  void add_column(std::vector<Column<Number>>& columns, const std::string& name, std::uint32_t components,
-                  std::string_view unit, const observe::Frame& first, const Of& of) {
-    const std::vector<Number> like = of(first);
-    if (like.empty()) return; // fibres, where there are none
-    columns.push_back(
-        {name, unit, of, FrameArray(m_file, name, like, m_frames, like.size() / components, components, unit)});
+  void add_column(std::vector<Column<Number>>& columns, std::string_view field, std::uint32_t components,
+                  std::string_view unit, const Of& of) {
+    const std::string name = fmt::format("/{}", field);
+    if (const std::vector<Number> like = of(*m_first); !like.empty()) // else fibres, where there are none
+      columns.push_back({name, unit, of, FrameArray(m_file, name, like, m_frames, components, unit)});
   }
 
   template <class Number>
@@ -145,123 +137,97 @@ private:
     parallel_parts(columns.size(), [&](std::size_t k) {
       compressed[k] = columns[k].array.compressed(columns[k].of(frame)); // what takes the time
     });
+    const std::size_t now = m_times.size();
     for (std::size_t k = 0; k < columns.size(); ++k) {
       Column<Number>& column = columns[k];
-      column.array.write(m_next, compressed[k]);
-      m_file.name_frame(frame_path(m_next, column.name), column.name, m_next, column.unit);
+      column.array.write(now, compressed[k]);
+      m_file.name_frame(frame_path(now, column.name), column.name, now, column.unit);
     }
   }
 
-  void add_anchors(const Anchors& more) {
-    m_anchors_of_frame.push_back(more.size());
-    m_frame_of_anchor.resize(m_frame_of_anchor.size() + more.size(), static_cast<std::uint32_t>(m_next));
-    append(m_anchors.x, more.x);
-    append(m_anchors.id, more.id);
-    append(m_anchors.f_mat, more.f_mat);
-    append(m_anchors.force, more.force);
+  void write_protrusions() {
+    m_file.write("/protrusions/frame", m_frame_of_row, "1");
+    for (const auto& field : observe::float_fields()) {
+      if (!field.of_protrusions() || (field.of_several_cells() && m_first->outline.cell.empty())) continue;
+      const std::string name = fmt::format("/{}", field.name);
+      const observe::Floats& numbers = field.in(m_table);
+      if (field.whole)
+        m_file.write(name, std::vector<std::uint32_t>(numbers.begin(), numbers.end()), field.unit);
+      else
+        m_file.write(name, in_space(numbers, field.components), field.unit, field.components == 2 ? 3 : 1);
+    }
+    m_file.write("/protrusions/phase", m_table.protrusions.phase, "1");
   }
 
+  /// The protrusions that adhere as points, for programs that draw fields.
   void write_anchors() {
-    m_file.write("/anchors/frame", m_frame_of_anchor, "1");
-    m_file.write("/anchors/id", m_anchors.id, "1");
-    m_file.write_rows("/anchors/position", in_space(m_anchors.x, 2), 3, "um");
-    m_file.write_rows("/anchors/f_mat", m_anchors.f_mat, 1, "1");
-    m_file.write_rows("/anchors/force", m_anchors.force, 1, "nN");
+    const observe::ProtrusionFrame& p = m_table.protrusions;
+    std::vector<std::uint32_t> frames, ids;
+    observe::Floats x, f_mat, force;
+    for (std::size_t row = 0; row < p.id.size(); ++row) {
+      if (std::isnan(p.anchor[2 * row])) continue;
+      frames.push_back(m_frame_of_row[row]);
+      ids.push_back(static_cast<std::uint32_t>(p.id[row]));
+      x.insert(x.end(), {p.anchor[2 * row], p.anchor[2 * row + 1], 0.0F});
+      f_mat.push_back(p.f_mat[row]);
+      force.push_back(p.force[row]);
+      ++m_adhesions[frames.back()];
+    }
+    m_file.write("/anchors/frame", frames, "1");
+    m_file.write("/anchors/id", ids, "1");
+    m_file.write("/anchors/position", x, "um", 3);
+    m_file.write("/anchors/f_mat", f_mat, "1");
+    m_file.write("/anchors/force", force, "nN");
     constexpr std::array<std::pair<const char*, const char*>, 4> views{
         {{"/anchors/id", "1"}, {"/anchors/position", "um"}, {"/anchors/f_mat", "1"}, {"/anchors/force", "nN"}}};
     std::size_t first = 0;
-    for (std::size_t k = 0; k < m_anchors_of_frame.size(); first += m_anchors_of_frame[k++])
-      if (m_anchors_of_frame[k] > 0)
-        for (const auto& [name, unit] : views)
-          m_file.name_rows(frame_path(k, name), name, first, m_anchors_of_frame[k], unit);
+    for (std::size_t k = 0; k < m_adhesions.size(); first += m_adhesions[k++])
+      if (m_adhesions[k] > 0)
+        for (const auto& [name, unit] : views) m_file.name_rows(frame_path(k, name), name, first, m_adhesions[k], unit);
   }
 
-  MemoryFile& m_file;
+  MemoryFile m_file;
+  const observe::FrameHead& m_head;
   std::size_t m_frames;
-  bool m_several; ///< cells
-  std::size_t m_next = 0;
+  std::optional<observe::Frame> m_first;
+  std::vector<double> m_times;
   std::vector<Column<float>> m_floats;
   std::vector<Column<std::uint8_t>> m_bytes;
+  observe::Frame m_table{.matrix = {}, .outline = {}, .protrusions = {}}; ///< the protrusions of all frames
   std::vector<std::uint32_t> m_frame_of_row;
-  std::vector<observe::Floats> m_protrusions;
-  std::vector<observe::Counts> m_numbers; ///< of protrusions and of their cells
-  observe::Bytes m_phases;
-  Anchors m_anchors; ///< of all frames
-  std::vector<std::size_t> m_anchors_of_frame;
-  std::vector<std::uint32_t> m_frame_of_anchor;
+  std::vector<std::size_t> m_adhesions; ///< of each frame
 };
-
-void write_head(MemoryFile& file, const observe::FrameHead& head, std::span<const double> times,
-                const FieldOrigin& origin) {
-  file.write_attribute("program", origin.program);
-  file.write_attribute("version", origin.version);
-  file.write_attribute("seed", origin.seed);
-  file.write_attribute("trajectory_hash", origin.trajectory_hash);
-  file.write_attribute("scenario", origin.scenario);
-  file.write("/time", times, "s");
-  file.write("/matrix/radius", std::array{head.radius}, "um");
-  file.write("/matrix/spacing", std::array{head.spacing}, "um");
-  file.write_rows("/matrix/reference", in_space(head.reference, 2), 3, "um");
-  if (!head.obstacle.empty()) file.write("/matrix/obstacle", head.obstacle, "1");
-  for (std::size_t k = 0; k < head.layers.size(); ++k)
-    if (const MatrixField& layer = observe::matrix_layers()[k]; !head.layers[k].empty())
-      file.write_rows(fmt::format("/matrix/{}", layer.layer), head.layers[k], 1, layer.layer_unit);
-}
 
 } // namespace
 
 std::string frame_path(std::size_t k, std::string_view name) { return fmt::format("/frames/{}{}", k, name); }
 
 std::string field_file(const observe::Film& film, const FieldOrigin& origin) {
-  MemoryFile file;
-  std::vector<double> times;
-  for (const observe::Frame& frame : film.frames) times.push_back(frame.t);
-  if (!film.frames.empty()) {
-    FieldWriter writer(file, film.head, film.frames.front(), film.frames.size());
-    for (const observe::Frame& frame : film.frames) writer.add(frame);
-    writer.finish();
-  }
-  write_head(file, film.head, times, origin);
-  return std::string(file.view());
+  FieldWriter writer(film.head, film.frames.size());
+  writer.add_all(film, origin);
+  return std::string(writer.image());
+}
+
+void write_field_files(const std::filesystem::path& folder, const observe::Film& film, const FieldOrigin& origin) {
+  FieldWriter writer(film.head, film.frames.size());
+  writer.add_all(film, origin);
+  writer.save(folder);
 }
 
 void write_field_files(const std::filesystem::path& folder, std::size_t frames, const FieldOrigin& origin) {
   const std::filesystem::path log = folder / frame_log_name;
-  MemoryFile file;
-  std::vector<double> times;
-  std::vector<std::size_t> adhesions;
-  std::optional<observe::Frame> first;
+  std::ifstream stream(log, std::ios::binary);
+  std::optional<FrameReader> reader;
+  naming(log, [&] { reader.emplace(stream); });
+  FieldWriter writer(reader->head(), frames);
   naming(log, [&] {
-    std::ifstream stream(log, std::ios::binary);
-    FrameReader reader(stream);
-    std::optional<FieldWriter> writer;
     std::optional<observe::Frame> frame;
-    while (times.size() < frames && (frame = reader.next())) {
-      if (!writer) writer.emplace(file, reader.head(), *frame, frames);
-      writer->add(*frame);
-      times.push_back(frame->t);
-      adhesions.push_back(anchors(*frame).size());
-      if (!first) first = *frame;
-    }
-    if (times.size() != frames || reader.next())
+    while (writer.frames() < frames && (frame = reader->next())) writer.add(*frame);
+    if (writer.frames() != frames || reader->next())
       throw InputOutputError(fmt::format("does not hold the {} whole frames of the run", frames));
-    if (writer) writer->finish();
-    write_head(file, reader.head(), times, origin);
+    writer.finish(origin);
   });
-  write_file(folder / field_file_name, file.view());
-  write_file(folder / field_index_name, field_index(first ? &*first : nullptr, times, adhesions));
-}
-
-void write_field_files(const std::filesystem::path& folder, const observe::Film& film, const FieldOrigin& origin) {
-  std::vector<double> times;
-  std::vector<std::size_t> adhesions;
-  for (const observe::Frame& frame : film.frames) {
-    times.push_back(frame.t);
-    adhesions.push_back(anchors(frame).size());
-  }
-  write_file(folder / field_file_name, field_file(film, origin));
-  write_file(folder / field_index_name,
-             field_index(film.frames.empty() ? nullptr : &film.frames.front(), times, adhesions));
+  writer.save(folder);
 }
 
 } // namespace matrigrate::store

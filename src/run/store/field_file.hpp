@@ -67,39 +67,20 @@ std::string frame_path(std::size_t k, std::string_view name);
 std::string field_index(const observe::Frame* first, std::span<const double> times,
                         std::span<const std::size_t> anchors);
 
-/// The frames of a fields.h5.
-/// @throws InputOutputError if it is none
-observe::Film read_field_file(std::string_view bytes);
+/// Which frames are read of a file: all, or those that are whole.
+enum class Wanted { all, whole };
 
-/// The frames of a fields.h5 that can be read.
-/// @throws InputOutputError if what all frames share cannot be read
-observe::Film whole_frames_of(std::string_view bytes);
+/// The frames of a fields.h5.
+/// @throws InputOutputError if it is none, or one of `all` frames cannot be read
+observe::Film read_field_file(std::string_view bytes, Wanted wanted = Wanted::all);
 
 /// The frames of the field file of a run's folder; none if it has none.
-/// @throws InputOutputError naming the file, if it cannot be read
-observe::Film read_field_film(const std::filesystem::path& folder);
-
-/// The frames of the field file that can be read; none if it has none.
-/// @throws InputOutputError naming the file, if what all frames share cannot be read
-observe::Film read_whole_frames(const std::filesystem::path& folder);
+/// @throws InputOutputError naming the file, as read_field_file or if it cannot be read
+observe::Film read_field_film(const std::filesystem::path& folder, Wanted wanted);
 
 /// The frames that a run's folder holds: those of its log, else of its field file; none if it has neither.
 /// @throws InputOutputError naming the file, if it cannot be read
 /// @param each  may take away fields that are not wanted
 observe::Film read_film(const std::filesystem::path& folder, const std::function<void(observe::Frame&)>& each = {});
-
-// The adhesions of a frame as points, for programs that draw fields. Test: tests/unit/store/field_file_test.cpp
-
-/// An entry for each protrusion that adheres, in the order of the frame's protrusions.
-struct Anchors {
-  observe::Floats x;             ///< where they adhere [um]
-  std::vector<std::uint32_t> id; ///< of the protrusions
-  observe::Floats f_mat;         ///< maturation [-]
-  observe::Floats force;         ///< in the adhesion [nN]
-
-  std::size_t size() const { return id.size(); }
-};
-
-Anchors anchors(const observe::Frame& frame);
 
 } // namespace matrigrate::store

@@ -28,8 +28,6 @@ std::string attributes(std::string_view body, const observe::Frame& frame, std::
   for (const auto& field : observe::float_fields())
     if (field.name.starts_with(body) && field.name != "outline/position" && !field.in(frame).empty())
       text += attribute(field.name, floating, k, n, field.components == 2 ? 3 : 1);
-  for (const auto& field : observe::count_fields())
-    if (field.name.starts_with(body) && !field.in(frame).empty()) text += attribute(field.name, floating, k, n, 1);
   for (const auto& field : observe::byte_fields())
     if (field.name.starts_with(body)) text += attribute(field.name, bytes, k, n, 1);
   return text;

@@ -53,9 +53,7 @@ public:
     if (n > max_frame_bytes) throw InputOutputError("a frame states an impossible number of values");
     const std::string_view planes = some(n * sizeof(T));
     values.resize(n);
-    auto* bytes = reinterpret_cast<char*>(values.data());
-    for (std::size_t plane = 0; plane < sizeof(T); ++plane)
-      for (std::size_t i = 0; i < n; ++i) bytes[i * sizeof(T) + plane] = planes[plane * n + i];
+    from_byte_planes(planes, std::span(values));
   }
 
   bool empty() const { return m_bytes.empty(); }
@@ -115,47 +113,19 @@ std::size_t find_block(std::string_view bytes, std::size_t smallest, std::size_t
   return std::string_view::npos;
 }
 
-/// Calls with each array of all frames, in their order in a log: numbers of protrusions stand before their anchors.
-template <class Visit>
-void of_all_frames(const Visit& visit) {
-  for (const auto& field : observe::float_fields()) {
-    if (field.name == "protrusions/anchor")
-      for (const auto& counts : observe::count_fields())
-        if (counts.of_all()) visit(counts);
-    if (field.of_all()) visit(field);
-  }
-  for (const auto& field : observe::byte_fields()) visit(field);
-}
-
-void take(Taker& taker, observe::Counts& counts) { // whole numbers are floats in logs
-  observe::Floats numbers;
-  taker.take_planes(numbers);
-  counts = observe::as_counts(numbers);
-}
-
-template <class Numbers>
-void take(Taker& taker, Numbers& numbers) {
-  taker.take_planes(numbers);
-}
-
-void put_numbers(std::string& to, const observe::Counts& counts) { put_planes(to, observe::as_floats(counts)); }
-
-template <class Numbers>
-void put_numbers(std::string& to, const Numbers& numbers) {
-  put_planes(to, numbers);
-}
-
 observe::Frame frame_of(const std::string& content) {
   Taker taker(content);
   observe::Frame frame{.t = taker.take<double>(), .matrix = {}, .outline = {}, .protrusions = {}};
-  of_all_frames([&](const auto& field) { take(taker, field.of(frame)); });
-  for (const auto& field : observe::count_fields())
-    if (field.of_several_cells() && !taker.empty()) take(taker, field.of(frame));
   for (const auto& field : observe::float_fields())
-    if (field.of_attractant() && !taker.empty()) taker.take_planes(field.of(frame));
-  if (!taker.empty()) taker.take_planes(frame.nucleus);
+    if (field.of_all) taker.take_planes(field.of(frame));
+  for (const auto& field : observe::byte_fields()) taker.take_planes(field.of(frame));
+  for (observe::Floats* more : {&frame.outline.cell, &frame.protrusions.cell, &frame.matrix.attractant, &frame.nucleus})
+    if (!taker.empty()) taker.take_planes(*more);
   return frame;
 }
+
+/// Whether whole numbers up to this one are exact in 32 bits.
+bool is_whole(float number) { return number >= 0.0F && number <= 16777216.0F && number == std::floor(number); }
 
 } // namespace
 
@@ -164,19 +134,20 @@ bool fits(const observe::Frame& frame, const observe::FrameHead& head, std::size
   const std::size_t alive = frame.protrusions.id.size();
   const bool several = !frame.outline.cell.empty();
   const auto right = [&](const auto& field) {
-    const std::size_t entries = field.of_several_cells() && !several                       ? 0
-                                : field.of_attractant() && frame.matrix.attractant.empty() ? 0
-                                : field.of_nuclei()                                        ? frame.nucleus.size() / 2
-                                : field.name == "matrix/fibre_von_mises"                   ? fibres
-                                : field.name.starts_with("matrix/")                        ? head.particles()
-                                : field.of_protrusions()                                   ? alive
-                                                                                           : outline;
-    return field.in(frame).size() == entries * field.components;
+    const auto& numbers = field.in(frame);
+    const bool none = field.name == "matrix/attractant" ? numbers.empty() : field.of_several_cells() && !several;
+    const std::size_t entries = none                                     ? 0
+                                : field.name == "nucleus/position"       ? numbers.size() / 2
+                                : field.name == "matrix/fibre_von_mises" ? fibres
+                                : field.name.starts_with("matrix/")      ? head.particles()
+                                : field.of_protrusions()                 ? alive
+                                                                         : outline;
+    return numbers.size() == entries * field.components && (!field.whole || std::ranges::all_of(numbers, is_whole));
   };
   const std::size_t cells = observe::outline_ends(frame.outline).size();
   const bool nuclei = frame.nucleus.empty() || (cells > 0 && frame.nucleus.size() % (2 * cells) == 0);
   return std::isfinite(frame.t) && nuclei && std::ranges::all_of(observe::float_fields(), right)
-         && std::ranges::all_of(observe::byte_fields(), right) && std::ranges::all_of(observe::count_fields(), right);
+         && std::ranges::all_of(observe::byte_fields(), right);
 }
 
 std::string log_head(const observe::FrameHead& head) {
@@ -195,12 +166,15 @@ std::string log_head(const observe::FrameHead& head) {
 std::string log_frame(const observe::Frame& frame) {
   std::string content;
   put(content, frame.t);
-  of_all_frames([&](const auto& field) { put_numbers(content, field.in(frame)); });
+  for (const auto& field : observe::float_fields())
+    if (field.of_all) put_planes(content, field.in(frame));
+  for (const auto& field : observe::byte_fields()) put_planes(content, field.in(frame));
   const bool attractant = !frame.matrix.attractant.empty();
   const bool nuclei = !frame.nucleus.empty();
-  if (attractant || nuclei || !frame.outline.cell.empty())
-    for (const auto& field : observe::count_fields())
-      if (field.of_several_cells()) put_numbers(content, field.in(frame));
+  if (attractant || nuclei || !frame.outline.cell.empty()) {
+    put_planes(content, frame.outline.cell);
+    put_planes(content, frame.protrusions.cell);
+  }
   if (attractant || nuclei) put_planes(content, frame.matrix.attractant);
   if (nuclei) put_planes(content, frame.nucleus);
   return as_block(content);

@@ -4,19 +4,24 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cstring>
 #include <stdexcept>
+#include <type_traits>
 #include <utility>
 
 namespace matrigrate::store {
 
 namespace {
 
-[[noreturn]] void fail(std::string_view what) { throw InputOutputError(fmt::format("HDF5: {}", what)); }
+template <class... Names>
+[[noreturn]] void fail(fmt::format_string<Names...> what, Names&&... names) {
+  throw InputOutputError("HDF5: " + fmt::format(what, std::forward<Names>(names)...));
+}
 
 void require(herr_t status, std::string_view what) {
-  if (status < 0) fail(what);
+  if (status < 0) fail("{}", what);
 }
 
 /// Starts HDF5, once: where it has got no memory for that, using it again would end the process. So would its work at
@@ -121,38 +126,151 @@ Handle without_cache() {
 
 constexpr hsize_t max_numbers = hsize_t{1} << 30U;  // of a frame or a table
 constexpr hsize_t max_in_array = hsize_t{1} << 40U; // of all frames
+constexpr hsize_t most_expanded = 1032;             // bytes that deflate makes of one
 
-/// The shape of an array, and a part of it: frames or rows in a stretch.
-struct Slab {
-  Handle space;
-  std::vector<hsize_t> shape;
-  hsize_t size = 1; ///< numbers in it
-};
+template <class Number>
+hid_t type_of() {
+  if constexpr (std::is_same_v<Number, double>) return H5T_NATIVE_DOUBLE;
+  if constexpr (std::is_same_v<Number, float>) return H5T_NATIVE_FLOAT;
+  if constexpr (std::is_same_v<Number, std::uint32_t>) return H5T_NATIVE_UINT32;
+  return H5T_NATIVE_UINT8;
+}
 
-Slab slab_of(const Handle& data, std::size_t first, std::size_t rows) {
-  Slab slab{{H5Dget_space(data.id()), H5Sclose, "an array has no shape"}, {}};
-  const int dimensions = H5Sget_simple_extent_ndims(slab.space.id());
-  if (dimensions < 1) fail("an array holds no frames");
-  slab.shape.resize(static_cast<std::size_t>(dimensions));
-  H5Sget_simple_extent_dims(slab.space.id(), slab.shape.data(), nullptr);
-  if (rows > slab.shape[0] || first > slab.shape[0] - rows) fail("an array has fewer frames");
-  std::vector<hsize_t> start(slab.shape.size(), 0);
-  std::vector<hsize_t> count = slab.shape;
+/// What HDF5 stores of a T: numbers.
+template <class T>
+using NumberOf = std::conditional_t<std::is_arithmetic_v<T>, T, double>;
+template <class T>
+constexpr std::size_t numbers_in = sizeof(T) / sizeof(NumberOf<T>);
+static_assert(numbers_in<Vec2> == 2 && numbers_in<Mat2> == 4);
+
+Handle type_in(const Handle& data, const std::string& name) {
+  return {H5Dget_type(data.id()), H5Tclose, fmt::format("{} has no type", name)};
+}
+
+template <class Number>
+void require_type(const Handle& data, const std::string& name) {
+  if (H5Tequal(type_in(data, name).id(), type_of<Number>()) <= 0) fail("{} has another type", name);
+}
+
+Handle layout_of(const Handle& data, const std::string& name) {
+  return {H5Dget_create_plist(data.id()), H5Pclose, fmt::format("{} has no layout", name)};
+}
+
+std::vector<hsize_t> shape_of(const Handle& data, const std::string& name) {
+  const Handle space(H5Dget_space(data.id()), H5Sclose, fmt::format("{} has no shape", name));
+  std::vector<hsize_t> shape(static_cast<std::size_t>(std::max(0, H5Sget_simple_extent_ndims(space.id()))));
+  H5Sget_simple_extent_dims(space.id(), shape.data(), nullptr);
+  return shape;
+}
+
+hsize_t size_of(std::span<const hsize_t> shape, const std::string& name) {
+  hsize_t size = 1;
+  for (const hsize_t n : shape) {
+    if (n != 0 && size > max_in_array / n) fail("{} is too large", name);
+    size *= n;
+  }
+  return size;
+}
+
+/// A part of an array of this file: rows in a stretch.
+Handle part_of(const Handle& data, std::span<const hsize_t> shape, std::size_t first, std::size_t rows) {
+  Handle space(H5Dget_space(data.id()), H5Sclose, "an array has no shape");
+  std::vector<hsize_t> start(shape.size(), 0), count(shape.begin(), shape.end());
   start[0] = first;
   count[0] = rows;
-  for (const hsize_t n : count) {
-    if (n != 0 && slab.size > max_in_array / n) fail("an array is too large");
-    slab.size *= n;
-  }
-  require(H5Sselect_hyperslab(slab.space.id(), H5S_SELECT_SET, start.data(), nullptr, count.data(), nullptr),
+  require(H5Sselect_hyperslab(space.id(), H5S_SELECT_SET, start.data(), nullptr, count.data(), nullptr),
           "no frame could be chosen");
-  return slab;
+  return space;
+}
+
+/// Whether a file has an array or group of that name.
+/// @throws InputOutputError if it or a group on the way to it is a link to another place
+bool is_in(const Handle& file, const std::string& name) {
+  for (std::size_t end = 0; end != std::string::npos;) {
+    end = name.find('/', end + 1);
+    const std::string part = name.substr(0, end);
+    H5L_info_t link{};
+    if (H5Lexists(file.id(), part.c_str(), H5P_DEFAULT) <= 0
+        || H5Lget_info(file.id(), part.c_str(), &link, H5P_DEFAULT) < 0)
+      return false;
+    if (link.type != H5L_TYPE_HARD) fail("{} is a link to another place", part);
+  }
+  return true;
+}
+
+/// An array within the file itself: every link on the way to it is hard, and its numbers are in this file.
+/// @throws InputOutputError if it is not there, or refers to another place
+Handle own_array(const Handle& file, const std::string& name) {
+  if (!is_in(file, name)) fail("there is no {}", name);
+  Handle data(H5Dopen2(file.id(), name.c_str(), H5P_DEFAULT), H5Dclose, fmt::format("{} is no array", name));
+  const Handle layout = layout_of(data, name);
+  if (H5Pget_external_count(layout.id()) != 0) fail("{} keeps its numbers in another file", name);
+  if (H5Pget_layout(layout.id()) == H5D_VIRTUAL) fail("{} is a view of other arrays", name);
+  return data;
+}
+
+/// Refuses an array that takes more memory than its bytes in the file can give.
+/// @throws InputOutputError also if its numbers are of no common type
+void require_stored(const Handle& data, const std::string& name, hsize_t numbers, std::size_t file_size) {
+  const Handle type = type_in(data, name);
+  const H5T_class_t kind = H5Tget_class(type.id());
+  const std::size_t bytes = H5Tget_size(type.id());
+  if ((kind != H5T_INTEGER && kind != H5T_FLOAT) || bytes > sizeof(double)) fail("{} has another type", name);
+  const hsize_t stored = H5Dget_storage_size(data.id());
+  if (stored > file_size) fail("{} is longer than the file", name);
+  if (numbers > most_expanded * stored / bytes) fail("{} is not written: it holds too few bytes", name);
+}
+
+/// How the frames of an array are compressed. @throws InputOutputError if in another way than FrameArray does
+struct Filters {
+  bool shuffled = false, deflated = false;
+
+  Filters(const Handle& data, const std::string& name) {
+    const Handle layout = layout_of(data, name);
+    const int filters = H5Pget_nfilters(layout.id());
+    for (int i = 0; i < filters; ++i) {
+      unsigned flags = 0;
+      std::size_t values = 0;
+      const H5Z_filter_t filter =
+          H5Pget_filter2(layout.id(), static_cast<unsigned>(i), &flags, &values, nullptr, 0, nullptr, nullptr);
+      bool& used = filter == H5Z_FILTER_SHUFFLE ? shuffled : deflated;
+      if (deflated || used || (filter != H5Z_FILTER_SHUFFLE && filter != H5Z_FILTER_DEFLATE))
+        fail("{} is compressed in another way", name);
+      used = true;
+    }
+  }
+};
+
+/// The numbers of a frame as they lie in memory. They are expanded here: HDF5 reads beyond a frame that is shorter than
+/// it says.
+/// @param data    an array of frames, each stored on its own (MemoryFile::require_frames)
+/// @param offset  of the frame
+/// @throws InputOutputError naming the array, if its frame has not as many bytes
+template <class Number>
+void read_frame(const Handle& data, const std::string& name, const std::vector<hsize_t>& offset, std::size_t file_size,
+                std::vector<Number>& numbers) {
+  const std::size_t bytes = numbers.size() * sizeof(Number);
+  hsize_t size = 0;
+  if (H5Dget_chunk_storage_size(data.id(), offset.data(), &size) < 0 || size == 0 || size > file_size
+      || bytes / most_expanded > size)
+    fail("{} is not written", name);
+  std::string stored(size, '\0');
+  std::uint32_t skipped = 0; // filters that were not used
+  if (H5Dread_chunk(data.id(), H5P_DEFAULT, offset.data(), &skipped, stored.data()) < 0 || skipped != 0)
+    fail("{} not read", name);
+  const Filters filters(data, name);
+  if (filters.deflated) stored = inflated(stored, bytes);
+  if (stored.size() != bytes) fail("{} is shorter than its stated length", name);
+  if (filters.shuffled)
+    from_byte_planes(stored, std::span(numbers));
+  else
+    std::memcpy(numbers.data(), stored.data(), bytes);
 }
 
 } // namespace
 
 Handle::Handle(hid_t id, Close close, std::string_view what) : m_id(id), m_close(close) {
-  if (id < 0) fail(what);
+  if (id < 0) fail("{}", what);
 }
 Handle::Handle(Handle&& other) noexcept : m_id(std::exchange(other.m_id, -1)), m_close(other.m_close) {}
 Handle::~Handle() {
@@ -171,35 +289,30 @@ std::string_view MemoryFile::view() const {
   return {*static_cast<const char**>(memory), static_cast<std::size_t>(size)};
 }
 
-void MemoryFile::write(const std::string& name, const void* values, hid_t type, std::span<const hsize_t> shape,
-                       std::string_view unit) {
-  const Handle data = new_array(m_file, name, type, shape, undated().id());
-  require(H5Dwrite(data.id(), type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values), fmt::format("{} not written", name));
+template <class T>
+void MemoryFile::write(const std::string& name, const std::vector<T>& values, std::string_view unit,
+                       std::size_t columns) {
+  std::vector<T> rows;
+  if constexpr (std::is_same_v<T, Mat2>) // matrices lie column by column in memory
+    for (const Mat2& A : values) rows.emplace_back(A.transpose());
+  columns *= numbers_in<T>;
+  const std::array<hsize_t, 2> shape{values.size() * numbers_in<T> / columns, columns};
+  const hid_t type = type_of<NumberOf<T>>();
+  const Handle data = new_array(m_file, name, type, std::span(shape).first(columns == 1 ? 1 : 2), undated().id());
+  const void* numbers = rows.empty() ? values.data() : rows.data();
+  require(H5Dwrite(data.id(), type, H5S_ALL, H5S_ALL, H5P_DEFAULT, numbers), fmt::format("{} not written", name));
   if (!unit.empty()) add_unit(data, unit);
 }
 
-void MemoryFile::write(const std::string& name, std::span<const double> values, std::string_view unit) {
-  write(name, values.data(), H5T_NATIVE_DOUBLE, std::array<hsize_t, 1>{values.size()}, unit);
-}
+template void MemoryFile::write(const std::string&, const std::vector<double>&, std::string_view, std::size_t);
+template void MemoryFile::write(const std::string&, const std::vector<float>&, std::string_view, std::size_t);
+template void MemoryFile::write(const std::string&, const std::vector<std::uint8_t>&, std::string_view, std::size_t);
+template void MemoryFile::write(const std::string&, const std::vector<std::uint32_t>&, std::string_view, std::size_t);
+template void MemoryFile::write(const std::string&, const std::vector<Vec2>&, std::string_view, std::size_t);
+template void MemoryFile::write(const std::string&, const std::vector<Mat2>&, std::string_view, std::size_t);
 
-void MemoryFile::write(const std::string& name, std::span<const Vec2> values, std::string_view unit) {
-  static_assert(sizeof(Vec2) == 2 * sizeof(double));
-  write(name, values.data(), H5T_NATIVE_DOUBLE, std::array<hsize_t, 2>{values.size(), 2}, unit);
-}
-
-void MemoryFile::write(const std::string& name, std::span<const Mat2> values, std::string_view unit) {
-  std::vector<double> rows;
-  rows.reserve(4 * values.size());
-  for (const Mat2& A : values) rows.insert(rows.end(), {A(0, 0), A(0, 1), A(1, 0), A(1, 1)});
-  write(name, rows.data(), H5T_NATIVE_DOUBLE, std::array<hsize_t, 2>{values.size(), 4}, unit);
-}
-
-void MemoryFile::write(const std::string& name, std::span<const std::uint8_t> values, std::string_view unit) {
-  write(name, values.data(), H5T_NATIVE_UINT8, std::array<hsize_t, 1>{values.size()}, unit);
-}
-
-void MemoryFile::write(const std::string& name, std::span<const std::uint32_t> values, std::string_view unit) {
-  write(name, values.data(), H5T_NATIVE_UINT32, std::array<hsize_t, 1>{values.size()}, unit);
+void MemoryFile::write_text(const std::string& name, std::string_view text) {
+  write(name, std::vector<std::uint8_t>(text.begin(), text.end()), "");
 }
 
 void MemoryFile::write_attribute(const std::string& name, const std::string& text) {
@@ -211,131 +324,126 @@ void MemoryFile::write_attribute(const std::string& name, std::uint64_t number) 
   add_attribute(m_file, name.c_str(), H5T_NATIVE_UINT64, &number);
 }
 
-void MemoryFile::write_rows(const std::string& name, std::span<const float> values, std::size_t columns,
-                            std::string_view unit) {
-  const std::array<hsize_t, 2> shape{values.size() / columns, columns};
-  write(name, values.data(), H5T_NATIVE_FLOAT, std::span(shape).first(columns == 1 ? 1 : 2), unit);
-}
-
-void MemoryFile::write_text(const std::string& name, std::string_view text) {
-  write(name, text.data(), H5T_NATIVE_UINT8, std::array<hsize_t, 1>{text.size()}, "");
-}
-
 /// @param part  of the array, which the view shows
-void MemoryFile::name_part(const std::string& view, const std::string& name, hid_t part, std::span<const hsize_t> shape,
-                           std::string_view unit) {
-  const Handle data = own_array(m_file, name);
-  const Handle type(H5Dget_type(data.id()), H5Tclose, fmt::format("{} has no type", name));
+void MemoryFile::name_part(const std::string& view, const std::string& name, const Handle& part,
+                           std::span<const hsize_t> shape, std::string_view unit) {
+  const Handle type = type_in(own_array(m_file, name), name);
   const Handle space(H5Screate_simple(static_cast<int>(shape.size()), shape.data(), nullptr), H5Sclose, "no space");
   const Handle creation = undated();
-  require(H5Pset_virtual(creation.id(), space.id(), ".", name.c_str(), part), "no view of an array");
+  require(H5Pset_virtual(creation.id(), space.id(), ".", name.c_str(), part.id()), "no view of an array");
   add_unit(new_array(m_file, view, type.id(), shape, creation.id()), unit);
 }
 
 void MemoryFile::name_frame(const std::string& view, const std::string& name, std::size_t frame,
                             std::string_view unit) {
   const Handle data = own_array(m_file, name);
-  const Slab slab = slab_of(data, frame, 1);
-  name_part(view, name, slab.space.id(), std::span(slab.shape).subspan(1), unit);
+  const std::vector<hsize_t> shape = shape_of(data, name);
+  name_part(view, name, part_of(data, shape, frame, 1), std::span(shape).subspan(1), unit);
 }
 
 void MemoryFile::name_rows(const std::string& view, const std::string& name, std::size_t first, std::size_t rows,
                            std::string_view unit) {
   const Handle data = own_array(m_file, name);
-  Slab slab = slab_of(data, first, rows);
-  slab.shape[0] = rows;
-  name_part(view, name, slab.space.id(), slab.shape, unit);
+  std::vector<hsize_t> shape = shape_of(data, name);
+  const Handle part = part_of(data, shape, first, rows);
+  shape[0] = rows;
+  name_part(view, name, part, shape, unit);
 }
 
-/// The array of that name. @param columns  1 for a 1-d array   @param rows  its length out
-Handle MemoryFile::open(const std::string& name, hid_t type, std::size_t columns, std::size_t& rows) const {
-  Handle data = own_array(m_file, name);
-  const Handle stored(H5Dget_type(data.id()), H5Tclose, fmt::format("{} has no type", name));
-  if (H5Tequal(stored.id(), type) <= 0) fail(fmt::format("{} has another type", name));
-  const Handle space(H5Dget_space(data.id()), H5Sclose, fmt::format("{} has no shape", name));
-  std::array<hsize_t, 2> shape{0, 1};
-  const int dimensions = columns == 1 ? 1 : 2;
-  if (H5Sget_simple_extent_ndims(space.id()) != dimensions) fail(fmt::format("{} has another shape", name));
-  H5Sget_simple_extent_dims(space.id(), shape.data(), nullptr);
-  if (shape[1] != columns) fail(fmt::format("{} has another shape", name));
-  rows = shape[0];
-  return data;
-}
+bool MemoryFile::has(const std::string& name) const { return is_in(m_file, name); }
 
-template <class Number>
-std::vector<Number> MemoryFile::read(const std::string& name, hid_t type, std::size_t columns) const {
-  std::size_t rows = 0;
-  const Handle data = open(name, type, columns, rows);
-  if (rows * columns * sizeof(Number) > m_size) fail(fmt::format("{} is longer than the file", name));
-  std::vector<Number> values(rows * columns);
-  require(H5Dread(data.id(), type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()), fmt::format("{} not read", name));
+template <class T>
+std::vector<T> MemoryFile::array(const std::string& name) const {
+  using Number = NumberOf<T>;
+  const Handle data = own_array(m_file, name);
+  require_type<Number>(data, name);
+  std::vector<hsize_t> shape = shape_of(data, name);
+  if (numbers_in<T> == 1) shape.push_back(1);
+  if (shape.size() != 2 || shape[1] != numbers_in<T>) fail("{} has another shape", name);
+  if (shape[0] > m_size / sizeof(T)) fail("{} is longer than the file", name);
+  std::vector<T> values(shape[0]);
+  require(H5Dread(data.id(), type_of<Number>(), H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()),
+          fmt::format("{} not read", name));
+  if constexpr (std::is_same_v<T, Mat2>)
+    for (Mat2& A : values) A.transposeInPlace();
   return values;
 }
 
-std::vector<double> MemoryFile::doubles(const std::string& name) const {
-  return read<double>(name, H5T_NATIVE_DOUBLE, 1);
-}
-
-std::vector<Vec2> MemoryFile::vectors(const std::string& name) const {
-  const std::vector<double> values = read<double>(name, H5T_NATIVE_DOUBLE, 2);
-  std::vector<Vec2> result(values.size() / 2);
-  for (std::size_t i = 0; i < result.size(); ++i) result[i] = {values[2 * i], values[2 * i + 1]};
-  return result;
-}
-
-std::vector<Mat2> MemoryFile::matrices(const std::string& name) const {
-  const std::vector<double> values = read<double>(name, H5T_NATIVE_DOUBLE, 4);
-  std::vector<Mat2> result(values.size() / 4);
-  for (std::size_t i = 0; i < result.size(); ++i)
-    result[i] << values[4 * i], values[4 * i + 1], values[4 * i + 2], values[4 * i + 3];
-  return result;
-}
-
-std::vector<std::uint8_t> MemoryFile::bytes(const std::string& name) const {
-  return read<std::uint8_t>(name, H5T_NATIVE_UINT8, 1);
-}
+template std::vector<double> MemoryFile::array(const std::string&) const;
+template std::vector<std::uint8_t> MemoryFile::array(const std::string&) const;
+template std::vector<Vec2> MemoryFile::array(const std::string&) const;
+template std::vector<Mat2> MemoryFile::array(const std::string&) const;
 
 std::string MemoryFile::text(const std::string& name) const {
-  const std::vector<std::uint8_t> values = bytes(name);
+  const std::vector<std::uint8_t> values = array<std::uint8_t>(name);
   return {values.begin(), values.end()};
 }
 
-template <class Number>
-std::vector<Number> MemoryFile::read_frame(const std::string& name, hid_t type, std::size_t frame) const {
+std::vector<float> MemoryFile::floats(const std::string& name) const {
   const Handle data = own_array(m_file, name);
-  const Slab slab = slab_of(data, frame, 1);
-  if (slab.size > max_numbers) fail(fmt::format("{} has another shape", name));
-  const Handle stored(H5Dget_type(data.id()), H5Tclose, fmt::format("{} has no type", name));
-  if (H5Tequal(stored.id(), type) <= 0) fail(fmt::format("{} has another type", name));
-  const std::string bytes = frame_bytes(data, name, frame, sizeof(Number), slab.size * sizeof(Number), m_size);
-  std::vector<Number> values(slab.size);
-  std::memcpy(values.data(), bytes.data(), bytes.size());
+  const hsize_t size = size_of(shape_of(data, name), name);
+  require_stored(data, name, size, m_size);
+  if (size > m_size / sizeof(float)) fail("{} is longer than the file", name);
+  std::vector<float> values(size);
+  require(H5Dread(data.id(), H5T_NATIVE_FLOAT, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()),
+          fmt::format("{} not read", name));
   return values;
 }
 
-std::vector<float> MemoryFile::float_frame(const std::string& name, std::size_t frame) const {
-  return read_frame<float>(name, H5T_NATIVE_FLOAT, frame);
+void MemoryFile::require_frames(const std::string& name, std::size_t frames, std::size_t numbers) const {
+  const Handle data = own_array(m_file, name);
+  const std::vector<hsize_t> shape = shape_of(data, name);
+  if (shape.empty()) fail("{} holds no frames", name);
+  const hsize_t size = size_of(shape, name);
+  if (shape[0] != frames) fail("{} has {} frames instead of {}", name, shape[0], frames);
+  const hsize_t in_frame = frames == 0 ? 0 : size / frames;
+  if (numbers > 0 && in_frame != numbers) fail("{} has {} numbers a frame instead of {}", name, in_frame, numbers);
+  const Handle layout = layout_of(data, name);
+  const int dimensions = static_cast<int>(shape.size());
+  std::vector<hsize_t> chunk(shape.size(), 0), expected = shape;
+  expected[0] = 1;
+  if (H5Pget_layout(layout.id()) != H5D_CHUNKED || H5Pget_chunk(layout.id(), dimensions, chunk.data()) != dimensions
+      || chunk != expected)
+    fail("{} is not stored frame by frame", name);
+  require_stored(data, name, size, m_size);
 }
 
-std::vector<std::uint8_t> MemoryFile::byte_frame(const std::string& name, std::size_t frame) const {
-  return read_frame<std::uint8_t>(name, H5T_NATIVE_UINT8, frame);
+template <class Number>
+std::vector<Number> MemoryFile::frame(const std::string& name, std::size_t frame) const {
+  const Handle data = own_array(m_file, name);
+  const std::vector<hsize_t> shape = shape_of(data, name);
+  if (shape.empty() || frame >= shape[0]) fail("{} has fewer frames", name);
+  const hsize_t size = size_of(std::span(shape).subspan(1), name);
+  if (size > max_numbers) fail("{} has another shape", name);
+  require_type<Number>(data, name);
+  std::vector<hsize_t> offset(shape.size(), 0);
+  offset[0] = frame;
+  std::vector<Number> values(size);
+  read_frame(data, name, offset, m_size, values);
+  return values;
 }
 
-std::vector<hsize_t> FrameArray::shape_of(std::size_t frames, std::size_t entries, std::size_t components) {
-  return components == 1 ? std::vector<hsize_t>{frames, entries} : std::vector<hsize_t>{frames, entries, components};
-}
+template std::vector<float> MemoryFile::frame(const std::string&, std::size_t) const;
+template std::vector<std::uint8_t> MemoryFile::frame(const std::string&, std::size_t) const;
 
-FrameArray::FrameArray(MemoryFile& file, const std::string& name, hid_t type, std::vector<hsize_t> shape,
-                       std::string_view unit)
-    : m_shape(std::move(shape)),
-      m_data(new_array(file.m_file, name, type, m_shape, frame_by_frame(m_shape).id(), without_cache().id())) {
+template <class Number>
+FrameArray::FrameArray(MemoryFile& file, const std::string& name, const std::vector<Number>& like, std::size_t frames,
+                       std::size_t components, std::string_view unit)
+    : m_shape(components == 1 ? std::vector<hsize_t>{frames, like.size()}
+                              : std::vector<hsize_t>{frames, like.size() / components, components}),
+      m_data(new_array(file.m_file, name, type_of<Number>(), m_shape, frame_by_frame(m_shape).id(),
+                       without_cache().id())) {
   add_unit(m_data, unit);
 }
 
+template FrameArray::FrameArray(MemoryFile&, const std::string&, const std::vector<float>&, std::size_t, std::size_t,
+                                std::string_view);
+template FrameArray::FrameArray(MemoryFile&, const std::string&, const std::vector<std::uint8_t>&, std::size_t,
+                                std::size_t, std::string_view);
+
 void FrameArray::require_size(std::size_t size) const {
-  hsize_t of_frame = 1;
-  for (std::size_t d = 1; d < m_shape.size(); ++d) of_frame *= m_shape[d];
-  if (size != of_frame) throw std::invalid_argument("a frame is larger or smaller than the others");
+  if (size != size_of(std::span(m_shape).subspan(1), "a frame"))
+    throw std::invalid_argument("a frame is larger or smaller than the others");
 }
 
 void FrameArray::write(std::size_t frame, const std::string& compressed) {

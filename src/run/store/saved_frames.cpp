@@ -48,7 +48,7 @@ void for_each_whole(const std::filesystem::path& folder, const FrameShape& shape
     while (std::optional<observe::Frame> frame = reader->next()) see(*std::move(frame));
   if (!missing()) return;
   try {
-    observe::Film film = read_whole_frames(folder);
+    observe::Film film = read_field_film(folder, Wanted::whole);
     if (same(film.head, shape.head))
       for (observe::Frame& frame : film.frames) see(std::move(frame));
   } catch (const InputOutputError& reason) { // then they are lost

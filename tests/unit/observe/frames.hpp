@@ -66,8 +66,6 @@ inline std::string difference(const observe::Film& a, const observe::Film& b) {
       for (std::size_t i = 0; i < x.size(); ++i)
         if (x[i] != y[i] && !(x[i] != x[i] && y[i] != y[i])) return std::string(field.name);
     }
-    for (const auto& field : observe::count_fields())
-      if (field.in(a.frames[k]) != field.in(b.frames[k])) return std::string(field.name);
     for (const auto& field : observe::byte_fields())
       if (field.in(a.frames[k]) != field.in(b.frames[k])) return std::string(field.name);
   }

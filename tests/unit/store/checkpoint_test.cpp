@@ -242,10 +242,10 @@ TEST(MemoryFile, SaysWhatIsNotThere) {
   store::MemoryFile file;
   file.write("/a/x", std::vector<double>{1.0, 2.0}, "um");
   const store::MemoryFile read(file.view());
-  EXPECT_EQ(read.doubles("/a/x"), (std::vector<double>{1.0, 2.0}));
-  EXPECT_THROW(read.doubles("/a/y"), InputOutputError);
-  EXPECT_THROW(read.vectors("/a/x"), InputOutputError) << "another shape";
-  EXPECT_THROW(read.bytes("/a/x"), InputOutputError) << "another type";
+  EXPECT_EQ(read.array<double>("/a/x"), (std::vector<double>{1.0, 2.0}));
+  EXPECT_THROW(read.array<double>("/a/y"), InputOutputError);
+  EXPECT_THROW(read.array<Vec2>("/a/x"), InputOutputError) << "another shape";
+  EXPECT_THROW(read.array<std::uint8_t>("/a/x"), InputOutputError) << "another type";
   EXPECT_THROW(store::MemoryFile("no HDF5"), InputOutputError);
 }
 

@@ -119,7 +119,7 @@ TEST(FieldFile, TellsSeveralCellsApart) {
   EXPECT_EQ(difference(read_field_file(image), film), "");
   const MemoryFile file(image);
   EXPECT_EQ(file.floats("/protrusions/cell"), (observe::Floats{1, 1, 5, 1, 5}));
-  EXPECT_EQ(observe::as_counts(file.float_frame("/outline/cell", 1)), film.frames[1].outline.cell);
+  EXPECT_EQ(file.frame<float>("/outline/cell", 1), film.frames[1].outline.cell);
   EXPECT_FALSE(MemoryFile(field_file(SmallRun().film())).has("/outline/cell"));
   const std::string xml = field_index(&film.frames.front(), std::vector{0.0}, std::vector<std::size_t>{0});
   EXPECT_EQ(occurrences(xml, "NumberOfElements=\"2\" NodesPerElement=\"236\""), 1U);
@@ -136,15 +136,15 @@ TEST(FieldFile, HoldsPositionsInSpace) {
   const observe::Film film = SmallRun().film();
   const std::string image = field_file(film);
   const MemoryFile file(image);
-  const observe::Floats x = file.float_frame("/matrix/position", 1);
+  const observe::Floats x = file.frame<float>("/matrix/position", 1);
   ASSERT_EQ(x.size(), 3 * film.head.particles());
   EXPECT_EQ(x[3], film.head.reference[2] + film.frames[1].matrix.displacement[2]);
   EXPECT_EQ(x[5], 0.0F);
-  EXPECT_EQ(file.byte_frame("/matrix/solid", 0)[3], 0);
-  EXPECT_EQ(file.byte_frame("/matrix/solid", 0)[4], 1);
+  EXPECT_EQ(file.frame<std::uint8_t>("/matrix/solid", 0)[3], 0);
+  EXPECT_EQ(file.frame<std::uint8_t>("/matrix/solid", 0)[4], 1);
   EXPECT_EQ(view_in(image, "/frames/1/matrix/position"), x) << "a view, for readers of XDMF";
-  EXPECT_THROW(file.float_frame("/matrix/position", 2), InputOutputError);
-  EXPECT_THROW(file.float_frame("/matrix/nothing", 0), InputOutputError);
+  EXPECT_THROW(file.frame<float>("/matrix/position", 2), InputOutputError);
+  EXPECT_THROW(file.frame<float>("/matrix/nothing", 0), InputOutputError);
 }
 
 TEST(FieldFile, HoldsTheCellThatTracksSpeakOf) {
@@ -217,7 +217,7 @@ TEST(FieldFile, IsMadeOfALogFrameByFrame) {
   EXPECT_EQ(difference(read_film(folder), film), "") << "of fields.h5";
   write_file(folder / frame_log_name, log_bytes({.head = film.head, .frames = {}}));
   write_field_files(folder, 0);
-  EXPECT_TRUE(read_field_film(folder).frames.empty());
+  EXPECT_TRUE(read_field_film(folder, Wanted::all).frames.empty());
   std::filesystem::remove_all(folder);
 }
 
@@ -245,7 +245,7 @@ TEST(FieldFile, RefusesAFrameThatIsShorterThanItSays) {
     }
     const std::string image = read_file(path, std::size_t{1} << 30U);
     EXPECT_THROW(read_field_file(image), InputOutputError);
-    EXPECT_EQ(whole_frames_of(image).frames.size(), film.frames.size() - 1);
+    EXPECT_EQ(read_field_file(image, Wanted::whole).frames.size(), film.frames.size() - 1);
   }
   std::filesystem::remove(path);
 }

@@ -241,11 +241,15 @@ TEST(FrameLog, LosesOnlyTheFramesThatAreDamaged) {
 
 TEST(FrameLog, PassesOverFramesOfOtherBodies) {
   const observe::Film film = four_frames();
-  for (const auto change : {+[](observe::Frame& f) { f.matrix.displacement.clear(); },
-                            +[](observe::Frame& f) { f.matrix.f_degr.pop_back(); },
-                            +[](observe::Frame& f) { f.matrix.fibre_von_mises = f.matrix.pressure; },
-                            +[](observe::Frame& f) { f.outline.phase.pop_back(); },
-                            +[](observe::Frame& f) { f.protrusions.anchor.push_back(0.0F); }}) {
+  for (const auto change :
+       {+[](observe::Frame& f) { f.matrix.displacement.clear(); },
+        +[](observe::Frame& f) { f.matrix.f_degr.pop_back(); },
+        +[](observe::Frame& f) { f.matrix.fibre_von_mises = f.matrix.pressure; },
+        +[](observe::Frame& f) { f.outline.phase.pop_back(); },
+        +[](observe::Frame& f) { f.protrusions.anchor.push_back(0.0F); },
+        +[](observe::Frame& f) { f.protrusions.id[0] = -1.0F; }, +[](observe::Frame& f) { f.protrusions.id[0] = 1e9F; },
+        +[](observe::Frame& f) { f.protrusions.centre[0] = 1.5F; },
+        +[](observe::Frame& f) { f.protrusions.centre[0] = NAN; }}) {
     observe::Film other = film;
     change(other.frames[1]);
     EXPECT_EQ(times(read_log(log_bytes(other))), (std::vector{0.0, 20.0, 30.0}));
