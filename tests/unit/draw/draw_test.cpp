@@ -1,6 +1,4 @@
-#include "draw/colour_bar.hpp"
 #include "draw/particle_picture.hpp"
-#include "draw/svg.hpp"
 #include "draw/text_plot.hpp"
 #include "unit/draw/markup.hpp"
 
@@ -10,6 +8,7 @@
 #include <cstddef>
 #include <cstdio>
 #include <limits>
+#include <map>
 #include <set>
 #include <stdexcept>
 #include <string>
@@ -25,40 +24,6 @@ double lightness(const std::string& colour) {
   };
   const double luminance = 0.2126 * linear(1) + 0.7152 * linear(3) + 0.0722 * linear(5);
   return luminance > 0.008856 ? 116.0 * std::cbrt(luminance) - 16.0 : 903.3 * luminance;
-}
-
-TEST(Colour, GetsLighterEvenly) {
-  constexpr int steps = 20;
-  const double rise = (lightness(colour(1.0)) - lightness(colour(0.0))) / steps;
-  EXPECT_GT(rise * steps, 60.0);
-  for (int i = 0; i < steps; ++i) {
-    const double a = lightness(colour(static_cast<double>(i) / steps));
-    const double b = lightness(colour(static_cast<double>(i + 1) / steps));
-    EXPECT_GT(b - a, 0.4 * rise) << i;
-    EXPECT_LT(b - a, 1.6 * rise) << i;
-  }
-}
-
-TEST(Colour, ClampsToItsEnds) {
-  EXPECT_EQ(colour(-3.0), "#440154");
-  EXPECT_EQ(colour(1.5), "#fde725");
-}
-
-TEST(ColourScale, ReachesFromTheSmallestToTheLargestValue) {
-  const ColourScale scale = fitted_scale(std::vector<double>{3.0, -1.0, 2.0});
-  EXPECT_EQ(scale.low, -1.0);
-  EXPECT_EQ(scale.high, 3.0);
-  EXPECT_EQ(scale.level(-1.0), 0);
-  EXPECT_EQ(scale.level(1.0), colour_levels / 2);
-  EXPECT_EQ(scale.level(5.0), colour_levels - 1);
-}
-
-TEST(ColourScale, GivesOneValueANeighbourhood) {
-  for (const double value : {0.0, 5.0, -1e-9, 1e140}) {
-    const ColourScale scale = fitted_scale(std::vector<double>{value});
-    EXPECT_LT(scale.low, value);
-    EXPECT_GT(scale.high, value);
-  }
 }
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
@@ -87,6 +52,41 @@ std::vector<Dots> dots(const std::string& svg) {
     if (piece.name == "path" && piece.attributes.at("d").ends_with("h0"))
       found.push_back({piece.attributes.at("stroke"), piece.attributes.at("d")});
   return found;
+}
+
+/// The texts of a picture, of that size of the font.
+std::vector<std::string> texts(const std::string& svg, const std::string& size) {
+  std::vector<std::string> found;
+  const auto pieces = parsed(svg).value_or(std::vector<Piece>{});
+  for (std::size_t i = 0; i + 1 < pieces.size(); ++i)
+    if (pieces[i].name == "text" && pieces[i].attributes.at("font-size") == size) found.push_back(pieces[i + 1].text);
+  return found;
+}
+
+/// The labels of the colour bar and of the scale bar, which is the last.
+std::vector<std::string> labels(const ParticlePicture& picture) { return texts(to_svg(picture), "16"); }
+
+TEST(ParticlePicture, HasColoursThatGetLighterEvenly) {
+  const auto groups = dots(to_svg(lattice(40, 10)));
+  ASSERT_EQ(groups.size(), 33U);
+  const double whole = lightness(groups.back().colour) - lightness(groups.front().colour);
+  EXPECT_GT(whole, 60.0);
+  for (std::size_t i = 2; i < groups.size(); i += 2) { // steps of one level are rounded
+    const double rise = 16.0 * (lightness(groups[i].colour) - lightness(groups[i - 2].colour)) / whole;
+    EXPECT_GT(rise, 0.4) << i;
+    EXPECT_LT(rise, 1.6) << i;
+  }
+}
+
+TEST(ParticlePicture, ColoursOneValueInANeighbourhoodOfIt) {
+  for (const double value : {0.0, 5.0, -1e-9, 1e140}) {
+    ParticlePicture picture = lattice(1, 1);
+    picture.value = {value};
+    const auto groups = dots(to_svg(picture));
+    ASSERT_EQ(groups.size(), 1U);
+    EXPECT_EQ(groups[0].colour, "#21908c") << "the middle";
+    EXPECT_GE(labels(picture).size(), 3U);
+  }
 }
 
 TEST(ParticlePicture, DrawsEachParticleOnceGroupedByColour) {
@@ -192,39 +192,45 @@ TEST(ParticlePicture, RefusesWhatDoesNotFitTogether) {
   EXPECT_THROW(to_svg(picture), std::invalid_argument);
 }
 
-TEST(Svg, EscapesMarkupAndForbiddenCharacters) {
-  EXPECT_EQ(svg::escape("a < b & \"c\" > 'd'"), "a &lt; b &amp; &quot;c&quot; &gt; &#39;d&#39;");
-  EXPECT_EQ(svg::escape(std::string("x\x01y\x7fz\0w", 7)), "x y z w");
-  EXPECT_EQ(svg::escape("caf\u00e9\n"), "caf\u00e9\n");
-}
-
-TEST(Svg, RoundsCoordinatesToATenthOfAPixel) {
-  EXPECT_EQ(svg::coordinate(12.0), "12");
-  EXPECT_EQ(svg::coordinate(12.04), "12");
-  EXPECT_EQ(svg::coordinate(12.06), "12.1");
-  EXPECT_EQ(svg::coordinate(-0.04), "0");
-  EXPECT_EQ(svg::coordinate(-3.25e1), "-32.5");
-}
-
-TEST(Svg, WrapsTextAtSpaces) {
-  EXPECT_TRUE(svg::wrapped("", 100.0, 10.0).empty());
-  EXPECT_EQ(svg::wrapped("one  two ", 1000.0, 10.0), (std::vector<std::string>{"one two"}));
-  EXPECT_EQ(svg::wrapped("one two three", svg::text_width("one two", 10.0), 10.0),
-            (std::vector<std::string>{"one two", "three"}));
-  EXPECT_EQ(svg::wrapped("incompressible", 1.0, 10.0), (std::vector<std::string>{"incompressible"}));
-}
-
-TEST(Svg, WidthCountsCharactersNotBytes) {
-  EXPECT_EQ(svg::text_width("\u2212\u00b5", 10.0), svg::text_width("ab", 10.0));
-}
-
-TEST(Svg, DocumentIsWellFormedWhateverTheText) {
+TEST(ParticlePicture, EscapesMarkupAndForbiddenCharacters) {
+  ParticlePicture picture = lattice(3, 1);
+  picture.title = "a<b&\"c\">'d'";
+  EXPECT_EQ(texts(to_svg(picture), "18"), (std::vector<std::string>{"a&lt;b&amp;&quot;c&quot;&gt;&#39;d&#39;"}));
+  picture.title = std::string("x\x01y\x7fz\0w caf\u00e9", 13);
+  EXPECT_EQ(texts(to_svg(picture), "18"), (std::vector<std::string>{"x y z w caf\u00e9"}));
   const std::string evil = "</text><script>\"'&\x02";
-  const auto pieces = parsed(svg::document(100, 50.5, evil, svg::text(1, 2, evil, {.upward = true})));
+  picture.title = picture.value_label = evil;
+  const auto pieces = parsed(to_svg(picture));
   ASSERT_TRUE(pieces);
   ASSERT_EQ(pieces->front().name, "svg");
-  EXPECT_EQ(pieces->front().attributes.at("viewBox"), "0 0 100 50.5");
   for (const Piece& piece : *pieces) EXPECT_NE(piece.name, "script");
+}
+
+TEST(ParticlePicture, RoundsCoordinatesToATenthOfAPixel) {
+  for (const Dots& group : dots(to_svg(lattice(7, 7)))) {
+    for (std::size_t at = group.data.find('.'); at != std::string::npos; at = group.data.find('.', at + 1)) {
+      EXPECT_NE(group.data[at + 1], '0');
+      EXPECT_EQ(std::string("M h").find(group.data[at + 2]) == std::string::npos, false) << group.data;
+    }
+    EXPECT_EQ(occurrences(group.data, "-0"), 0U);
+  }
+}
+
+TEST(ParticlePicture, WrapsTextAtSpaces) {
+  ParticlePicture picture = lattice(3, 1);
+  const auto lines = [&](const std::string& title) {
+    picture.title = title;
+    return texts(to_svg(picture), "18");
+  };
+  EXPECT_TRUE(lines("").empty());
+  EXPECT_EQ(lines("one  two "), (std::vector<std::string>{"one two"}));
+  const std::string half(30, 'a'), whole(80, 'b');
+  EXPECT_EQ(lines(half + ' ' + half), (std::vector<std::string>{half + ' ' + half}));
+  EXPECT_EQ(lines(half + ' ' + half + ' ' + half), (std::vector<std::string>{half + ' ' + half, half}));
+  EXPECT_EQ(lines(whole), (std::vector<std::string>{whole}));
+  std::string wide; // characters count, not bytes
+  for (int i = 0; i < 30; ++i) wide += "\u00b5";
+  EXPECT_EQ(lines(wide + ' ' + wide), (std::vector<std::string>{wide + ' ' + wide}));
 }
 
 TEST(Svg, TheReaderOfTheseTestsRefusesWhatIsNotWellFormed) {
@@ -256,47 +262,44 @@ TEST(TextPlot, IsDrawnOfNothing) {
   EXPECT_NE(to_text(plot).find("        1 |\n"), std::string::npos);
 }
 
-std::vector<std::string> labels(const std::vector<Tick>& ticks) {
-  std::vector<std::string> out;
-  for (const Tick& tick : ticks) out.push_back(tick.label);
-  return out;
-}
-
 using Labels = std::vector<std::string>;
 
-TEST(Ticks, StepsAreOneTwoFive) {
-  EXPECT_DOUBLE_EQ(round_step(0.7), 1.0);
-  EXPECT_DOUBLE_EQ(round_step(1.0), 1.0);
-  EXPECT_DOUBLE_EQ(round_step(1.1), 2.0);
-  EXPECT_DOUBLE_EQ(round_step(3.0), 5.0);
-  EXPECT_DOUBLE_EQ(round_step(5.1), 10.0);
-  EXPECT_DOUBLE_EQ(round_step(0.03), 0.05);
-  EXPECT_DOUBLE_EQ(round_step(1e-7), 1e-7);
+/// The labels of a colour bar.
+Labels ticks(double low, double high) {
+  ParticlePicture picture = lattice(3, 1);
+  picture.value_min = low;
+  picture.value_max = high;
+  Labels all = labels(picture);
+  all.pop_back(); // that of the scale bar
+  return all;
 }
 
-TEST(Ticks, LinearTicksCarryEqualDigits) {
-  EXPECT_EQ(labels(linear_ticks(0.0, 1.0, 5)), (Labels{"0.0", "0.2", "0.4", "0.6", "0.8", "1.0"}));
-  EXPECT_EQ(labels(linear_ticks(-12.0, 31.0, 5)), (Labels{"\u221210", "0", "10", "20", "30"}));
-  EXPECT_EQ(labels(linear_ticks(-0.3, 0.3, 3)), (Labels{"\u22120.2", "0.0", "0.2"})) << "no negative zero";
-  EXPECT_EQ(labels(linear_ticks(999.99, 1000.01, 2)), (Labels{"999.99", "1000.00", "1000.01"}));
+TEST(Ticks, OfTheScaleBarAreOneTwoFive) {
+  for (const auto& [size, label] : std::map<int, std::string>{{3, "0.5"}, {6, "1"}, {12, "2"}, {30, "5"}, {60, "20"}})
+    EXPECT_EQ(labels(lattice(size, size)).back(), label + " \u00b5m");
+}
+
+TEST(Ticks, CarryEqualDigits) {
+  EXPECT_EQ(ticks(0.0, 1.0), (Labels{"0.0", "0.2", "0.4", "0.6", "0.8", "1.0"}));
+  EXPECT_EQ(ticks(-12.0, 31.0), (Labels{"\u221210", "0", "10", "20", "30"}));
+  EXPECT_EQ(ticks(-0.3, 0.3), (Labels{"\u22120.3", "\u22120.2", "\u22120.1", "0.0", "0.1", "0.2", "0.3"}))
+      << "no negative zero";
+  EXPECT_EQ(ticks(999.99, 1000.01), (Labels{"999.990", "999.995", "1000.000", "1000.005", "1000.010"}));
 }
 
 TEST(Ticks, VeryLargeAndVerySmallNumbersTakeAPowerOfTen) {
-  EXPECT_EQ(labels(linear_ticks(0.0, 4e-7, 4)), (Labels{"0", "1e\u22127", "2e\u22127", "3e\u22127", "4e\u22127"}));
-  EXPECT_EQ(labels(linear_ticks(0.0, 2e6, 4)), (Labels{"0", "0.5e6", "1.0e6", "1.5e6", "2.0e6"}));
+  EXPECT_EQ(ticks(0.0, 4e-7), (Labels{"0", "1e\u22127", "2e\u22127", "3e\u22127", "4e\u22127"}));
+  EXPECT_EQ(ticks(0.0, 2e6), (Labels{"0", "0.5e6", "1.0e6", "1.5e6", "2.0e6"}));
 }
 
-TEST(Ticks, LinearTicksStayInsideAndFewForAnyRange) {
+TEST(Ticks, StayFewForAnyRange) {
   for (const double scale : {1e-140, 1e-9, 1.0, 3.7, 1e9, 1e140})
     for (const double low : {-1.0, -0.31, 0.0, 0.77})
       for (const double span : {0.0123, 1.0, 7.3}) {
-        const double high = low + span;
-        const auto ticks = linear_ticks(scale * low, scale * high, 6);
-        ASSERT_GE(ticks.size(), 2U) << scale << ' ' << low << ' ' << span;
-        ASSERT_LE(ticks.size(), 7U) << scale << ' ' << low << ' ' << span;
-        EXPECT_GE(ticks.front().value, scale * (low - 1e-8 * span));
-        EXPECT_LE(ticks.back().value, scale * (high + 1e-8 * span));
-        for (std::size_t i = 1; i < ticks.size(); ++i) EXPECT_LT(ticks[i - 1].value, ticks[i].value);
+        const Labels found = ticks(scale * low, scale * (low + span));
+        EXPECT_GE(found.size(), 2U) << scale << ' ' << low << ' ' << span;
+        EXPECT_LE(found.size(), 8U) << scale << ' ' << low << ' ' << span;
+        EXPECT_EQ(std::set<std::string>(found.begin(), found.end()).size(), found.size());
       }
 }
 
