@@ -3,7 +3,6 @@
 #include "apps/run_output.hpp"
 #include "apps/shipped_pages.hpp"
 #include "apps/verbs.hpp"
-#include "run/branch.hpp"
 
 #include <CLI/CLI.hpp>
 

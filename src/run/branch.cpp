@@ -1,4 +1,4 @@
-#include "run/branch.hpp"
+#include "run/resume.hpp"
 
 #include "base/failure.hpp"
 #include "base/file.hpp"

@@ -40,16 +40,14 @@ std::string status_text(const FinishedRun& run) {
 std::string provenance_of(const Json& record) {
   std::string text;
   for (const char* key : {"version", "git_hash", "compiler", "build_type", "flags", "start", "end", "trajectory_hash"})
-    if (record.contains(key) && record.at(key).is_string())
-      text += fmt::format("{:<17}{}\n", key, record.at(key).get<std::string>());
+    if (const std::string value = text_of(record, key); !value.empty()) text += fmt::format("{:<17}{}\n", key, value);
   return text;
 }
 
 /// True if a run came to its end, or was stopped, at t. It then wrote a frame at t, due or not.
 bool ended_at(const Json& record, double t) {
   const std::optional<RunStatus> status = status_of(record);
-  const auto reached = record.find("t_s");
-  return (status == RunStatus::done || status == RunStatus::interrupted) && reached != record.end() && *reached == t;
+  return (status == RunStatus::done || status == RunStatus::interrupted) && number_in(record, "t_s") == t;
 }
 
 /// A checkpoint; where it is damaged, tells whether the one before is whole.

@@ -97,17 +97,12 @@ constexpr Refusal refusals[] = {
 
 /// A sentence of the table with what it names of the folder.
 std::string filled(std::string_view sentence, const FolderState& state) {
-  const auto number = [&](const char* key) {
-    return state.record.is_object() && state.record.contains(key) && state.record.at(key).is_number()
-               ? state.record.at(key).get<double>()
-               : 0.0;
-  };
+  const auto time = [&](const char* key) { return time_text(number_in(state.record, key).value_or(0.0)); };
   const auto commands = commands_of(state.record);
   return fmt::format(
       fmt::runtime(sentence), fmt::arg("folder", state.folder.string()), fmt::arg("detail", state.detail),
       fmt::arg("names", listed(state.names, ", ")),
-      fmt::arg("status", fmt::format("{}, {} of {}", text_of(state.record, "status"), time_text(number("t_s")),
-                                     time_text(number("duration_s")))),
+      fmt::arg("status", fmt::format("{}, {} of {}", text_of(state.record, "status"), time("t_s"), time("duration_s"))),
       fmt::arg("goes_on", status_of(state.record) == RunStatus::done ? "--hours H extends" : "continues"),
       fmt::arg("begin_again", commands.empty()
                                   ? std::string()

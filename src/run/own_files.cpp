@@ -10,6 +10,7 @@
 #include <array>
 #include <regex>
 #include <system_error>
+#include <utility>
 
 namespace matrigrate::run {
 
@@ -32,27 +33,24 @@ constexpr std::array<ExportKind, 8> kinds{{
     {"--panel", R"(panel\.svg)"},
 }};
 
-/// The folders that a run writes into, within its own; first that one itself.
-std::vector<std::string_view> places() {
-  std::vector<std::string_view> all;
-  for (const OutputKind& kind : output_kinds())
-    if (std::ranges::find(all, kind.folder) == all.end()) all.push_back(kind.folder);
-  all.push_back(exports);
-  return all;
-}
-
 using Patterns = std::vector<std::regex>;
 
 std::regex pattern(std::string_view names) { return std::regex(names.begin(), names.end()); }
 
-/// The names of a run's files in one of these folders.
-Patterns names_in(std::string_view place) {
-  Patterns all;
-  for (const OutputKind& kind : output_kinds())
-    if (kind.folder == place) all.push_back(pattern(kind.names));
-  if (place != exports) return all;
-  for (const ExportKind& kind : kinds) all.push_back(pattern(kind.names));
-  all.push_back(pattern(earlier_exports));
+/// The folders that a run writes into, within its own, with the names of its files there; first that one itself.
+const std::vector<std::pair<std::string_view, Patterns>>& places() {
+  static const auto all = [] {
+    std::vector<std::pair<std::string_view, Patterns>> found;
+    const auto add = [&](std::string_view place, std::string_view names) {
+      auto at = std::ranges::find(found, place, [](const auto& one) { return one.first; });
+      if (at == found.end()) at = found.insert(at, {place, {}});
+      at->second.push_back(pattern(names));
+    };
+    for (const OutputKind& kind : output_kinds()) add(kind.folder, kind.names);
+    for (const ExportKind& kind : kinds) add(exports, kind.names);
+    add(exports, earlier_exports);
+    return found;
+  }();
   return all;
 }
 
@@ -97,7 +95,7 @@ void remove_file(const fs::path& file) {
 }
 
 void require_no_links(const fs::path& folder) {
-  for (const std::string_view place : places()) {
+  for (const auto& [place, own] : places()) {
     const fs::path in = folder / place;
     std::error_code error;
     if (!place.empty() && place != exports && fs::is_symlink(fs::symlink_status(in, error)))
@@ -107,10 +105,9 @@ void require_no_links(const fs::path& folder) {
 }
 
 void remove_run_files(const fs::path& folder) {
-  for (const std::string_view place : places()) { // the last checkpoints are the first names in the first place
+  for (const auto& [place, own] : places()) { // the last checkpoints are the first names in the first place
     const fs::path in = folder / place;
     if (fs::is_symlink(fs::symlink_status(in))) continue; // not made by a run
-    const Patterns own = names_in(place);
     for (const fs::directory_entry& entry : entries(in))
       if (!is_folder(entry) && have(own, name_of(entry))) remove_file(entry.path());
     std::error_code ignored;
@@ -120,12 +117,10 @@ void remove_run_files(const fs::path& folder) {
 
 std::vector<std::string> foreign_entries(const fs::path& folder) {
   std::vector<std::string> foreign;
-  const std::vector<std::string_view> all = places();
-  for (const std::string_view place : all) {
-    const Patterns own = names_in(place);
+  for (const auto& [place, own] : places()) {
     for (const fs::directory_entry& entry : entries(folder / place)) {
       const std::string name = name_of(entry);
-      const bool is_place = std::ranges::find(all, name) != all.end();
+      const bool is_place = std::ranges::any_of(places(), [&](const auto& one) { return one.first == name; });
       const bool known = is_folder(entry) ? place.empty() && is_place : have(own, name);
       if (!name.starts_with('.') && !known) foreign.push_back((fs::path(place) / name).string());
     }
@@ -134,9 +129,8 @@ std::vector<std::string> foreign_entries(const fs::path& folder) {
 }
 
 void remove_temporaries(const fs::path& folder) {
-  for (const std::string_view place : places()) {
+  for (const auto& [place, own] : places()) {
     if (place == exports) continue; // exports are written without a lock
-    const Patterns own = names_in(place);
     for (const fs::directory_entry& entry : entries(folder / place)) {
       const std::optional<std::string> file = file_of_temporary(name_of(entry));
       const bool unfinished = name_of(entry) == "checkpoint_next.h5"; // killed before it was renamed

@@ -4,8 +4,11 @@
 
 #include <filesystem>
 #include <optional>
+#include <string>
+#include <vector>
 
-/// Runs that were interrupted. Test: tests/unit/run/simulate_test.cpp, tests/apps/resume_test.cpp
+/// Runs that were interrupted, and branches of runs: other parameters, another seed or another end from a moment on.
+/// Test: tests/unit/run/simulate_test.cpp, tests/apps/resume_test.cpp
 namespace matrigrate::run {
 
 struct ResumeOptions {
@@ -23,5 +26,17 @@ RunOutcome resume(const RunOptions& options, const ResumeOptions& from, RunObser
 /// @param p  the parameters of the run in the folder
 /// @throws InputOutputError if there are checkpoints, but none that is whole
 RunOutcome resume(const RunOptions& options, const Parameters& p, RunObserver& observer);
+
+struct BranchOptions {
+  std::vector<std::string> overrides; ///< "key=value"
+  std::optional<double> at;           ///< simulated time; none: the last checkpoint [s]
+  bool previous = false;              ///< without a time: at checkpoint_prev.h5
+};
+
+/// Begins a branch of the run in a folder, and computes it.
+/// @param options  its folder is made here, and must not hold anything
+/// @throws ConfigurationError, InputOutputError before anything is written
+RunOutcome branch(const std::filesystem::path& from, const BranchOptions& how, const RunOptions& options,
+                  RunObserver& observer);
 
 } // namespace matrigrate::run

@@ -106,23 +106,27 @@ double RunRecord::wall_time() const {
 }
 
 std::string text_of(const Json& record, const char* key) {
-  const bool there = record.is_object() && record.contains(key) && record.at(key).is_string();
-  return there ? record.at(key).get<std::string>() : std::string();
+  const Json value = value_of(record, key);
+  return value.is_string() ? value.get<std::string>() : std::string();
+}
+
+std::optional<double> number_in(const Json& record, const char* key) {
+  const Json value = value_of(record, key);
+  return value.is_number() ? std::optional(value.get<double>()) : std::nullopt;
 }
 
 std::string program_of(const Json& record) {
   const std::string version = text_of(record, "version");
   if (version.empty()) return {};
-  const auto changed = record.find("git_dirty");
   return fmt::format("matrigrate {} ({}{})", version, text_of(record, "git_hash").substr(0, 8),
-                     changed != record.end() && *changed == true ? ", changed sources" : "");
+                     value_of(record, "git_dirty") == true ? ", changed sources" : "");
 }
 
 std::optional<RunStatus> status_of(const Json& record) { return parse_run_status(text_of(record, "status")); }
 
 std::vector<Json> lineage_of(const Json& record) {
-  if (!record.is_object() || !record.contains("lineage") || !record.at("lineage").is_array()) return {};
-  return record.at("lineage").get<std::vector<Json>>();
+  const Json lineage = value_of(record, "lineage");
+  return lineage.is_array() ? lineage.get<std::vector<Json>>() : std::vector<Json>();
 }
 
 std::vector<std::string> programs_of(const Json& record) {
@@ -147,6 +151,8 @@ std::string command_text(const std::vector<std::string>& words) {
   }
   return text;
 }
+
+std::string time_now() { return utc(WallClock::now()); }
 
 std::string minute_text(WallClock::time_point time) { return minute_of(utc(time)); }
 
@@ -211,11 +217,11 @@ std::string run_title(const Parameters& p, const std::string& scenario) {
 }
 
 std::string bias_sentence(const Json& record) {
-  const Json n = value_of(record, "steps_without_bias"), steps = value_of(record, "steps");
-  if (!n.is_number_unsigned() || n == 0 || !steps.is_number_unsigned()) return {};
-  return fmt::format("laws.initiation_bias was 0 along the whole cortex in {} of {} steps; protrusions began there as "
-                     "without a bias",
-                     n.get<std::uint64_t>(), steps.get<std::uint64_t>());
+  const auto n = number_in(record, "steps_without_bias"), steps = number_in(record, "steps");
+  if (n.value_or(0.0) <= 0.0 || !steps) return {};
+  return fmt::format("laws.initiation_bias was 0 along the whole cortex in {:.0f} of {:.0f} steps; protrusions began "
+                     "there as without a bias",
+                     *n, *steps);
 }
 
 std::vector<report::Fact> run_facts(const Parameters& p, const Json& record, const std::string& scenario) {
@@ -238,10 +244,8 @@ std::vector<report::Fact> run_facts(const Parameters& p, const Json& record, con
   for (std::size_t i = 0; i < commands.size(); ++i) add(i == 0 ? "command" : "branched by", command_text(commands[i]));
   const std::string end = text_of(record, "end");
   add("date", minute_of(end.empty() ? text_of(record, "start") : end));
-  if (const auto time = record.find("wall_time_s"); time != record.end() && time->is_number())
-    add("wall time", wall_time_text(time->get<double>()));
-  if (const auto changed = record.find("git_dirty"); changed != record.end() && *changed == true)
-    add("program", "built from changed sources");
+  if (const auto time = number_in(record, "wall_time_s")) add("wall time", wall_time_text(*time));
+  if (value_of(record, "git_dirty") == true) add("program", "built from changed sources");
   add("trajectory hash", text_of(record, "trajectory_hash"));
   return facts;
 }

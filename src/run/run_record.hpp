@@ -68,6 +68,9 @@ nlohmann::ordered_json read_record(const std::filesystem::path& folder);
 /// A text of a record; empty where there is none.
 std::string text_of(const nlohmann::ordered_json& record, const char* key);
 
+/// A number of a record; nothing where there is none.
+std::optional<double> number_in(const nlohmann::ordered_json& record, const char* key);
+
 /// The program that wrote a record, "matrigrate 0.3.0 (1234abcd)"; empty if it does not tell.
 std::string program_of(const nlohmann::ordered_json& record);
 
@@ -82,6 +85,9 @@ std::vector<nlohmann::ordered_json> lineage_of(const nlohmann::ordered_json& rec
 
 /// Words as one would type them in a shell, the program by its name alone.
 std::string command_text(const std::vector<std::string>& words);
+
+/// The time of day in records: "2026-01-31T12:00:00Z".
+std::string time_now();
 
 /// "2026-01-31 12:00 UTC"
 std::string minute_text(std::chrono::system_clock::time_point time);

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <algorithm>
+#include <array>
+#include <cstddef>
 #include <optional>
 #include <string_view>
 
@@ -10,11 +13,16 @@ namespace matrigrate::run {
 /// What "status" in run.json says.
 enum class RunStatus { running, done, failed, interrupted };
 
-/// "running", "done", "failed", "interrupted"
-std::string_view to_string(RunStatus status);
+inline constexpr std::array<std::string_view, 4> status_names{"running", "done", "failed", "interrupted"};
+
+constexpr std::string_view to_string(RunStatus status) { return status_names[static_cast<std::size_t>(status)]; }
 
 /// The status of that name; nothing for other text.
-std::optional<RunStatus> parse_run_status(std::string_view text);
+constexpr std::optional<RunStatus> parse_run_status(std::string_view text) {
+  const auto* const found = std::ranges::find(status_names, text);
+  if (found == status_names.end()) return std::nullopt;
+  return static_cast<RunStatus>(found - status_names.begin());
+}
 
 /// How the computation of a run ended.
 enum class RunEnd {
@@ -28,33 +36,14 @@ enum class RunEnd {
 };
 
 constexpr RunStatus status_of(RunEnd end) {
-  switch (end) {
-  case RunEnd::completed:
-    return RunStatus::done;
-  case RunEnd::stopped_by_user:
-  case RunEnd::told_to_terminate:
-  case RunEnd::out_of_wall_time:
-    return RunStatus::interrupted;
-  default:
-    return RunStatus::failed;
-  }
+  if (end == RunEnd::completed) return RunStatus::done;
+  return end < RunEnd::stopped_by_user ? RunStatus::failed : RunStatus::interrupted;
 }
 
 /// What "exit_code" in run.json says, with which the program ends too.
 constexpr int exit_code(RunEnd end) {
-  switch (end) {
-  case RunEnd::completed:
-    return 0;
-  case RunEnd::cannot_write:
-    return 5;
-  case RunEnd::stopped_by_user:
-    return 130;
-  case RunEnd::told_to_terminate:
-  case RunEnd::out_of_wall_time:
-    return 75;
-  default:
-    return 4;
-  }
+  constexpr std::array codes{0, 4, 4, 5, 130, 75, 75};
+  return codes[static_cast<std::size_t>(end)];
 }
 
 } // namespace matrigrate::run

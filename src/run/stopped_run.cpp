@@ -14,7 +14,6 @@
 #include "simulation/step_limits.hpp"
 #include "tables/state_json.hpp"
 
-#include <fmt/chrono.h>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -116,8 +115,6 @@ void restore_scenario(const fs::path& folder, RunObserver& observer) {
   }
 }
 
-std::string time_now() { return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr))); }
-
 FoundCheckpoint read_checkpoint_of(const fs::path& folder, const fs::path& file) {
   FoundCheckpoint found{.checkpoint = store::read_checkpoint(file), .memory = {}, .p = {}, .file = file};
   found.p = parse_parameters(found.checkpoint.scenario, file.string());
@@ -206,11 +203,9 @@ RunStart start_from(const FoundCheckpoint& found, const Json& record) {
     start.scenario = scenario_name(record, found.file.parent_path());
     start.commands = commands_of(record);
   }
-  if (record.is_object() && record.contains("wall_time_s") && record.at("wall_time_s").is_number())
-    start.earlier_wall_time = std::max(0.0, record.at("wall_time_s").get<double>());
-  if (record.is_object() && record.contains("steps_without_bias")
-      && record.at("steps_without_bias").is_number_unsigned())
-    start.steps_without_bias = record.at("steps_without_bias").get<std::uint64_t>();
+  start.earlier_wall_time = std::max(0.0, number_in(record, "wall_time_s").value_or(0.0));
+  start.steps_without_bias =
+      static_cast<std::uint64_t>(std::max(0.0, number_in(record, "steps_without_bias").value_or(0.0)));
   return start;
 }
 

@@ -71,9 +71,6 @@ RunStart start_from(const FoundCheckpoint& found, const nlohmann::ordered_json& 
 /// An entry of the lineage: "resumed" or "branched".
 nlohmann::ordered_json event(std::string_view kind, const FoundCheckpoint& found);
 
-/// The time of day, for the lineage.
-std::string time_now();
-
 /// Warns if another version of the program wrote the checkpoint: that bits may differ, or that its model is another.
 void warn_of_other_program(const FoundCheckpoint& found, RunObserver& observer);
 

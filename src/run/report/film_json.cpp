@@ -2,9 +2,9 @@
 
 #include "base/parallel.hpp"
 #include "ecm/loop/fibres.hpp"
-#include "report/packed.hpp"
 #include "sph/kernel.hpp"
 #include "state/initial.hpp"
+#include "store/deflate.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -25,10 +25,35 @@ using Json = nlohmann::ordered_json;
 
 constexpr double byte_range = 255.0;
 
-Json layer(const observe::Film& film, const observe::Floats& (*field)(const observe::Frame&)) {
+/// q of each number, as the bits that are stored.
+std::vector<std::uint16_t> quantised(const Packing& packing, const observe::Floats& values) {
+  const double low = packing.wide ? -32768.0 : 0.0;
+  const double high = packing.wide ? 32767.0 : 255.0;
+  std::vector<std::uint16_t> q(values.size(), 0);
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const double value = (values[i] - packing.offset) / packing.scale;
+    if (std::isfinite(value))
+      q[i] = static_cast<std::uint16_t>(static_cast<std::int32_t>(std::clamp(std::nearbyint(value), low, high)));
+  }
+  return q;
+}
+
+void put_bytes(std::string& to, const std::vector<std::uint16_t>& d, unsigned shift) {
+  for (const std::uint16_t value : d) to += static_cast<char>(static_cast<std::uint8_t>(value >> shift));
+}
+
+/// The numbers of a field of each frame.
+FrameValues values_of(const observe::Film& film, const observe::Floats observe::MatrixFrame::*field) {
+  return [&film, field](std::size_t k) -> const observe::Floats& { return film.frames[k].matrix.*field; };
+}
+FrameValues values_of(const observe::Film& film, const observe::Floats observe::OutlineFrame::*field) {
+  return [&film, field](std::size_t k) -> const observe::Floats& { return film.frames[k].outline.*field; };
+}
+
+Json layer(const observe::Film& film, const observe::Floats observe::MatrixFrame::*field) {
   const Limits limits = usual_limits(film, field);
   return packed({.scale = (limits.high - limits.low) / byte_range, .offset = limits.low}, film.frames.size(),
-                [&](std::size_t k) -> const observe::Floats& { return field(film.frames[k]); });
+                values_of(film, field));
 }
 
 /// Positions to 0.005 um, or coarser where 16 bits would not reach the rim.
@@ -38,60 +63,49 @@ Packing positions(const observe::FrameHead& head) {
 }
 
 /// Values of solid and fluid between their own limits.
-/// @param field  of a frame; may be that of all frames
-template <class Field>
-Json everywhere(const observe::Film& film, const Field& field) {
+Json everywhere(std::size_t frames, const FrameValues& values) {
   double low = std::numeric_limits<double>::infinity();
   double high = -low;
-  for (const observe::Frame& frame : film.frames)
-    for (const double value : field(frame)) {
+  for (std::size_t k = 0; k < frames; ++k)
+    for (const double value : values(k)) {
       low = std::min(low, value);
       high = std::max(high, value);
     }
-  return packed({.scale = (high > low ? high - low : 1.0) / byte_range, .offset = low}, film.frames.size(),
-                [&](std::size_t k) -> const observe::Floats& { return field(film.frames[k]); });
+  return packed({.scale = (high > low ? high - low : 1.0) / byte_range, .offset = low}, frames, values);
 }
 
 Json particles_json(const observe::Film& film) {
+  using observe::MatrixFrame;
+  const std::size_t n = film.frames.size();
   observe::Floats x;
   const auto positions_of = [&](std::size_t k) -> const observe::Floats& {
     x = film.frames[k].matrix.displacement;
     for (std::size_t i = 0; i < x.size(); ++i) x[i] += film.head.reference[i];
     return x;
   };
-  const auto f_of = [&](std::size_t k) -> const observe::Floats& { return film.frames[k].matrix.f_degr; };
   Json of_x, of_f, of_pressure, of_stress; // beside each other, since to compress takes long
-  side_by_side({[&] { of_x = packed(positions(film.head), film.frames.size(), positions_of); },
-                [&] { of_f = packed({.scale = 1.0 / byte_range}, film.frames.size(), f_of); },
-                [&] {
-                  of_pressure =
-                      layer(film, [](const observe::Frame& f) -> const observe::Floats& { return f.matrix.pressure; });
-                },
-                [&] {
-                  of_stress =
-                      layer(film, [](const observe::Frame& f) -> const observe::Floats& { return f.matrix.von_mises; });
-                }});
+  side_by_side({[&] { of_x = packed(positions(film.head), n, positions_of); },
+                [&] { of_f = packed({.scale = 1.0 / byte_range}, n, values_of(film, &MatrixFrame::f_degr)); },
+                [&] { of_pressure = layer(film, &MatrixFrame::pressure); },
+                [&] { of_stress = layer(film, &MatrixFrame::von_mises); }});
   Json json{{"x", std::move(of_x)},
             {"f", std::move(of_f)},
             {"pressure", std::move(of_pressure)},
             {"von_mises", std::move(of_stress)}};
   if (!film.frames.front().matrix.fibre_von_mises.empty())
-    json["fibre_von_mises"] =
-        layer(film, [](const observe::Frame& f) -> const observe::Floats& { return f.matrix.fibre_von_mises; });
+    json["fibre_von_mises"] = layer(film, &MatrixFrame::fibre_von_mises);
   if (!film.frames.front().matrix.attractant.empty())
-    json["attractant"] =
-        everywhere(film, [](const observe::Frame& f) -> const observe::Floats& { return f.matrix.attractant; });
-  const auto of_head = [&](const observe::Floats& field) {
-    return everywhere(film, [&](const observe::Frame&) -> const observe::Floats& { return field; });
-  };
+    json["attractant"] = everywhere(n, values_of(film, &MatrixFrame::attractant));
   for (std::size_t k = 0; k < film.head.layers.size(); ++k) {
-    if (film.head.layers[k].empty()) continue;
+    const observe::Floats& values = film.head.layers[k];
+    if (values.empty()) continue;
     const MatrixField& layer = observe::matrix_layers()[k];
-    json["layers"].push_back({{"name", layer.layer},
-                              {"unit", layer.layer_unit == "1" ? "" : layer.layer_unit},
-                              {"title", layer.title},
-                              {"meaning", layer.meaning},
-                              {"values", of_head(film.head.layers[k])}});
+    json["layers"].push_back(
+        {{"name", layer.layer},
+         {"unit", layer.layer_unit == "1" ? "" : layer.layer_unit},
+         {"title", layer.title},
+         {"meaning", layer.meaning},
+         {"values", everywhere(n, [&](std::size_t) -> const observe::Floats& { return values; })}});
   }
   return json;
 }
@@ -110,8 +124,7 @@ Json outline_json(const observe::Film& film) {
     });
   };
   const auto floats = [&](const Packing& packing, const observe::Floats observe::OutlineFrame::*field) {
-    return packed(packing, n,
-                  [&film, field](std::size_t k) -> const observe::Floats& { return film.frames[k].outline.*field; });
+    return packed(packing, n, values_of(film, field));
   };
   Json json{
       {"x", floats(positions(film.head), &observe::OutlineFrame::x)},
@@ -158,10 +171,32 @@ Json protrusions_json(const observe::Frame& frame) {
 
 } // namespace
 
-Limits usual_limits(const observe::Film& film, const observe::Floats& (*field)(const observe::Frame&)) {
+nlohmann::ordered_json packed(const Packing& packing, std::size_t frames, const FrameValues& values) {
+  std::string bytes;
+  std::vector<std::uint16_t> before;
+  for (std::size_t k = 0; k < frames; ++k) {
+    const std::vector<std::uint16_t> q = quantised(packing, values(k));
+    if (k == 0) bytes.reserve(frames * q.size() * (packing.wide ? 2 : 1));
+    std::vector<std::uint16_t> d = q;
+    if (packing.delta && k > 0)
+      for (std::size_t i = 0; i < d.size(); ++i) d[i] = static_cast<std::uint16_t>(q[i] - before[i]);
+    put_bytes(bytes, d, 0);
+    if (packing.wide) put_bytes(bytes, d, 8);
+    before = q;
+  }
+  return {{"type", packing.wide ? "int16" : "uint8"},
+          {"components", packing.components},
+          {"per_frame", before.size() / static_cast<std::size_t>(packing.components)},
+          {"scale", packing.scale},
+          {"offset", packing.offset},
+          {"delta", packing.delta},
+          {"data", store::base64(store::deflated(bytes, 6))}};
+}
+
+Limits usual_limits(const observe::Film& film, const observe::Floats observe::MatrixFrame::*field) {
   const auto each = [&](const auto& visit) {
     for (const observe::Frame& frame : film.frames) {
-      const observe::Floats& all = field(frame);
+      const observe::Floats& all = frame.matrix.*field;
       for (std::size_t i = 0; i < all.size(); ++i)
         if (frame.matrix.f_degr[i] > 0.0F && std::isfinite(all[i])) visit(all[i]);
     }

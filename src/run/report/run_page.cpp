@@ -73,42 +73,36 @@ Json readouts_json(const RunReport& report) {
   return list;
 }
 
-double off_one(double ratio) { return std::abs(ratio - 1.0); }
-
 /// A column of health.csv of which a page shows the largest value.
 struct Sign {
   const char* column;
   const char* meaning;
-  double (*value)(const HealthRow&);
+  bool ratio = false; ///< of which the largest deviation from 1 is shown
 };
 constexpr std::array<Sign, 9> signs{{
-    {"solver_iterations_max", "iterations of the solver in a step, largest number",
-     [](const HealthRow& row) { return static_cast<double>(row.max_iterations); }},
-    {"solver_residual_max", "relative residual of the solver, largest",
-     [](const HealthRow& row) { return row.largest_residual; }},
-    {"force_imbalance", "sum of inner forces over the sum of their magnitudes, largest",
-     [](const HealthRow& row) { return row.force_imbalance; }},
-    {"n_orphans", "particles made fluid since too few neighbours were left",
-     [](const HealthRow& row) { return static_cast<double>(row.orphans); }},
-    {"n_torn", "particles made fluid since their density left its allowed range",
-     [](const HealthRow& row) { return static_cast<double>(row.torn); }},
-    {"n_engulfed", "solid particles made fluid inside the cell",
-     [](const HealthRow& row) { return static_cast<double>(row.engulfed); }},
-    {"n_solid_inside", "solid particles inside the cell, largest number",
-     [](const HealthRow& row) { return static_cast<double>(row.solid_inside); }},
-    {"area_ratio", "area of the cell over its start, largest deviation from 1",
-     [](const HealthRow& row) { return off_one(row.area_ratio); }},
-    {"density_max", "density of the solid over its start, largest deviation from 1",
-     [](const HealthRow& row) { return std::fmax(off_one(row.density_max), off_one(row.density_min)); }},
+    {"solver_iterations_max", "iterations of the solver in a step, largest number"},
+    {"solver_residual_max", "relative residual of the solver, largest"},
+    {"force_imbalance", "sum of inner forces over the sum of their magnitudes, largest"},
+    {"n_orphans", "particles made fluid since too few neighbours were left"},
+    {"n_torn", "particles made fluid since their density left its allowed range"},
+    {"n_engulfed", "solid particles made fluid inside the cell"},
+    {"n_solid_inside", "solid particles inside the cell, largest number"},
+    {"area_ratio", "area of the cell over its start, largest deviation from 1", true},
+    {"density_max", "density of the solid over its start, largest deviation from 1", true},
 }};
 
 Json health_json(std::string_view text) {
+  const store::Table table = store::read_table(text);
   Json list = Json::array();
-  const std::vector<HealthRow> rows = text.empty() ? std::vector<HealthRow>() : store::health_rows_of(text);
-  for (const Sign& sign : signs) {
+  for (const auto& [column, meaning, ratio] : signs) {
     double worst = undefined;
-    for (const HealthRow& row : rows) worst = std::fmax(worst, sign.value(row));
-    list.push_back({{"name", sign.column}, {"meaning", sign.meaning}, {"value", worst}});
+    const auto see = [&](const std::string& name) {
+      if (table.columns.empty()) return; // a page without results
+      for (const double value : table.column(name)) worst = std::fmax(worst, ratio ? std::abs(value - 1.0) : value);
+    };
+    see(column);
+    if (std::string_view(column) == "density_max") see("density_min");
+    list.push_back({{"name", column}, {"meaning", meaning}, {"value", worst}});
   }
   return list;
 }
@@ -150,8 +144,6 @@ Json changes_json(const Parameters& p) {
   return list;
 }
 
-std::string_view shown_unit(std::string_view unit) { return unit == "1" ? "" : unit; }
-
 /// Changed laws beside the default ones, over each argument that they depend on.
 Json laws_json(const Parameters& p) {
   Json list = Json::array();
@@ -167,7 +159,7 @@ Json laws_json(const Parameters& p) {
     list.push_back({{"name", law->path},
                     {"text", bare(value_text(*law, p))},
                     {"constants", constants_of(*law, p)},
-                    {"unit", shown_unit(law->unit)},
+                    {"unit", law->unit == "1" ? "" : law->unit},
                     {"curves", std::move(curves)}});
   }
   return list;

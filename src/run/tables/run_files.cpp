@@ -52,9 +52,6 @@ constexpr auto column(std::string_view name) {
   if constexpr (std::is_floating_point_v<T>)
     return TableColumn<Row>{name, [](const Row& row) -> Field { return row.*member; },
                             [](Row& row, double value) { row.*member = value; }};
-  else if constexpr (std::is_same_v<T, bool>)
-    return TableColumn<Row>{name, [](const Row& row) -> Field { return count(row.*member ? 1 : 0); },
-                            [](Row& row, double value) { row.*member = value != 0.0; }};
   else
     return TableColumn<Row>{name, [](const Row& row) -> Field { return count(static_cast<std::size_t>(row.*member)); },
                             [](Row& row, double value) { row.*member = counted<T>(value); }};
@@ -206,7 +203,6 @@ std::vector<TrackRow> track_rows_of(std::string_view text) {
 
 std::vector<std::string_view> health_columns() { return names_of(health_table); }
 std::vector<Field> fields(const HealthRow& row) { return fields_of(health_table, row); }
-std::vector<HealthRow> health_rows_of(std::string_view text) { return rows_in(read_table(text), health_table); }
 
 std::vector<std::string_view> group_columns() { return names_of(group_table); }
 std::vector<Field> fields(const GroupRow& row) { return fields_of(group_table, row); }

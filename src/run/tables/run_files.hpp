@@ -26,11 +26,9 @@ std::vector<Field> fields(const TrackRow& row);
 /// @throws InputOutputError if it is none
 std::vector<TrackRow> track_rows_of(std::string_view text);
 
-/// health.csv, and its rows.
-/// @throws InputOutputError if it is none
+/// health.csv
 std::vector<std::string_view> health_columns();
 std::vector<Field> fields(const HealthRow& row);
-std::vector<HealthRow> health_rows_of(std::string_view text);
 
 /// group.csv, of several cells, and its rows; the direction is rounded.
 /// @throws InputOutputError if it is none

@@ -9,7 +9,6 @@
 #include <charconv>
 #include <cmath>
 #include <cstddef>
-#include <iterator>
 #include <stdexcept>
 #include <string_view>
 #include <utility>
@@ -41,21 +40,12 @@ std::vector<double> Table::column(std::string_view name) const {
 }
 
 std::string to_csv(const Table& table) {
-  std::string out;
-  for (std::size_t c = 0; c < table.columns.size(); ++c) {
-    if (c > 0) out += ',';
-    out += csv_text(table.columns[c]);
-  }
-  out += '\n';
+  std::string out = csv_line({table.columns.begin(), table.columns.end()});
   for (const auto& row : table.rows) {
     check_length(table, row);
     // An empty line would be skipped by most readers, so a lone missing number is written as an empty quoted field.
-    if (row.size() == 1 && std::isnan(row[0])) out += "\"\"";
-    for (std::size_t c = 0; c < row.size(); ++c) {
-      if (c > 0) out += ',';
-      if (!std::isnan(row[c])) fmt::format_to(std::back_inserter(out), "{}", row[c]);
-    }
-    out += '\n';
+    const bool empty = row.size() == 1 && std::isnan(row[0]);
+    out += empty ? "\"\"\n" : csv_line({row.begin(), row.end()});
   }
   return out;
 }

@@ -1,5 +1,5 @@
 #include "base/file.hpp"
-#include "report/packed.hpp"
+#include "report/film_json.hpp"
 #include "report/run_page.hpp"
 #include "report/verdict_page.hpp"
 #include "store/deflate.hpp"

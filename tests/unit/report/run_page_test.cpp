@@ -141,7 +141,7 @@ TEST(RunPage, LimitsLeaveOutFewSolidValues) {
   }
   frame.matrix.pressure[17] = 1e9F;
   const Limits limits =
-      usual_limits(film, [](const observe::Frame& f) -> const observe::Floats& { return f.matrix.pressure; });
+      usual_limits(film, &observe::MatrixFrame::pressure);
   EXPECT_EQ(limits.low, 0.0);
   EXPECT_NEAR(limits.high, 8996.0, 2.0) << "neither the one that stands out nor the fluid";
 }

@@ -2,7 +2,6 @@
 
 #include "base/failure.hpp"
 #include "base/file.hpp"
-#include "run/branch.hpp"
 #include "run/folder_state.hpp"
 #include "run/resume.hpp"
 #include "simulation/start.hpp"
