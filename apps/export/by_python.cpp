@@ -1,22 +1,14 @@
-#include "apps/export/by_python.hpp"
-
-#include "apps/export/scratch.hpp"
+#include "apps/export/exports.hpp"
 #include "base/failure.hpp"
 #include "base/file.hpp"
 #include "base/platform.hpp"
-#include "base/process.hpp"
 #include "run/provenance.hpp"
 #include "run/run_record.hpp"
 #include "store/field_file.hpp"
 
 #include <fmt/format.h>
 
-#include <fcntl.h>
-#include <unistd.h>
-
-#include <chrono>
 #include <cstdlib>
-#include <thread>
 #include <vector>
 
 namespace matrigrate::apps {
@@ -37,15 +29,6 @@ std::string package_place() {
   return {};
 }
 
-/// Whether a program runs and ends well.
-bool works(const std::vector<std::string>& command) {
-  const int nothing = ::open("/dev/null", O_WRONLY | O_CLOEXEC);
-  Child child(command, nothing);
-  ::close(nothing);
-  while (!child.ended()) std::this_thread::sleep_for(std::chrono::milliseconds(5));
-  return child.ended() == 0;
-}
-
 } // namespace
 
 std::string python_for(const PythonKinds& kinds) {
@@ -61,7 +44,7 @@ std::string python_for(const PythonKinds& kinds) {
                                                   : std::vector<std::string>{"python3", "/usr/bin/python3"};
   const std::string needed = fmt::format("import matrigrate.exchange, h5py{}", kinds.ome_tiff ? ", tifffile" : "");
   for (const std::string& python : candidates)
-    if (works({python, "-P", "-B", "-c", needed})) return python;
+    if (exit_code_of({python, "-P", "-B", "-c", needed}, "/dev/null") == 0) return python;
   throw InputOutputError(fmt::format(
       "{0} by Python, which needs the package matrigrate and its libraries; Debian: apt-get install "
       "python3-pandas python3-h5py python3-xxhash{1}; PYTHON names another Python",
@@ -76,9 +59,8 @@ void export_by_python(const run::FinishedRun& run, const PythonKinds& kinds, con
   constexpr const char* script = "import sys; from matrigrate import exchange; sys.exit(exchange.main(sys.argv[1:]))";
   const std::string made = (scratch.path / "made").string();
   std::vector<std::string> command{python, "-P", "-B", "-c", script}; // -P: nothing from the working directory
-  command.push_back(fmt::format("--fields={}", (scratch.path / "fields.h5").string()));
-  command.push_back(fmt::format("--title={}", title));
-  command.push_back(fmt::format("--program={}", run::version_text()));
+  command.insert(command.end(), {fmt::format("--fields={}", (scratch.path / "fields.h5").string()),
+                                 fmt::format("--title={}", title), fmt::format("--program={}", run::version_text())});
   if (kinds.pixel) command.push_back(fmt::format("--pixel={}", *kinds.pixel));
   if (kinds.ome_tiff) command.push_back(fmt::format("--ome-tiff={}/fields.ome.tif", made));
   if (kinds.simularium) command.push_back(fmt::format("--simularium={}/run.simularium", made));

@@ -1,7 +1,4 @@
-#include "apps/export/drawn.hpp"
-
-#include "apps/export/scratch.hpp"
-#include "apps/export/tracks.hpp"
+#include "apps/export/exports.hpp"
 #include "apps/shipped_pages.hpp"
 #include "apps/terminal/terminal.hpp"
 #include "apps/verbs.hpp"

@@ -1,6 +1,4 @@
-#include "apps/export/by_python.hpp"
-#include "apps/export/drawn.hpp"
-#include "apps/export/tracks.hpp"
+#include "apps/export/exports.hpp"
 #include "apps/run_output.hpp"
 #include "apps/terminal/terminal.hpp"
 #include "apps/verbs.hpp"

@@ -1,5 +1,4 @@
-#include "apps/export/scratch.hpp"
-
+#include "apps/export/exports.hpp"
 #include "base/failure.hpp"
 #include "base/file.hpp"
 #include "base/process.hpp"
@@ -38,15 +37,20 @@ Scratch::~Scratch() {
   std::filesystem::remove_all(path, ignored);
 }
 
-void call(const std::vector<std::string>& command, const Scratch& scratch) {
-  const std::filesystem::path log = scratch.path / "said.txt";
+int exit_code_of(const std::vector<std::string>& command, const std::filesystem::path& log) {
   const int output = ::open(log.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, S_IRUSR | S_IWUSR);
   Child child(command, output >= 0 ? output : STDERR_FILENO);
   if (output >= 0) ::close(output);
   while (!child.ended()) std::this_thread::sleep_for(std::chrono::milliseconds(5));
-  if (child.ended() == 0) return;
+  return *child.ended();
+}
+
+void call(const std::vector<std::string>& command, const Scratch& scratch) {
+  const std::filesystem::path log = scratch.path / "said.txt";
+  const int code = exit_code_of(command, log);
+  if (code == 0) return;
   std::ifstream said(log);
-  std::string last = fmt::format("{} ended with exit code {}", command.front(), *child.ended());
+  std::string last = fmt::format("{} ended with exit code {}", command.front(), code);
   for (std::string line; std::getline(said, line);)
     if (!line.empty()) last = line;
   throw InputOutputError(last);

@@ -1,9 +1,8 @@
-#include "apps/export/tracks.hpp"
+#include "apps/export/exports.hpp"
 
 #include "apps/terminal/terminal.hpp"
 #include "apps/verbs.hpp"
 #include "base/file.hpp"
-#include "exchange/run_tracks.hpp"
 #include "observe/even_times.hpp"
 #include "parameters/units.hpp"
 #include "run/provenance.hpp"

@@ -1,7 +1,6 @@
 #include "run/folder_lock.hpp"
 
 #include "base/failure.hpp"
-#include "base/platform.hpp"
 
 #include <fmt/format.h>
 
@@ -24,8 +23,7 @@ FolderLock::FolderLock(const std::filesystem::path& folder, Kind kind, std::chro
     throw InputOutputError(
         fmt::format("{}: cannot be written: {}", file.string(), std::generic_category().message(errno)));
   const auto start = std::chrono::steady_clock::now();
-  const auto lock = kind == Kind::alone ? platform::Lock::alone : platform::Lock::shared;
-  while (const int error = platform::lock(m_descriptor, lock)) {
+  while (const int error = platform::lock(m_descriptor, kind)) {
     const bool patient = std::chrono::steady_clock::now() - start < patience;
     if ((error == EWOULDBLOCK && patient) || error == EINTR) {
       std::this_thread::sleep_for(50ms);

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "base/platform.hpp"
+
 #include <chrono>
 #include <filesystem>
 
@@ -9,7 +11,7 @@ namespace matrigrate::run {
 /// made. Works between the nodes of a cluster where their file system has flock.
 class FolderLock {
 public:
-  enum class Kind { alone, shared };
+  using Kind = platform::Lock;
 
   /// @param patience  how long to wait for the lock: the runs of a killed runner need a moment to end
   /// @throws InputOutputError if another process keeps the lock for longer, or the file cannot be written

@@ -11,7 +11,7 @@
 #include <map>
 #include <numbers>
 #include <stdexcept>
-#include <string_view>
+#include <utility>
 #include <vector>
 
 namespace matrigrate::exchange {
@@ -20,24 +20,35 @@ namespace {
 
 constexpr double same_time = 1e-3; // [s]
 
+/// The ids of the cells, in the order of their first rows.
+std::vector<std::uint32_t> cells_of(std::span<const TrackRow> rows) {
+  std::vector<std::uint32_t> cells;
+  for (const TrackRow& row : rows)
+    if (std::ranges::find(cells, row.cell) == cells.end()) cells.push_back(row.cell);
+  return cells;
+}
+
+/// Radius of the disc of the same area [um].
+double radius(const TrackRow& row) { return std::sqrt(row.area / std::numbers::pi); }
+
 /// A cell of a run.
 struct Track {
-  const RunTracks* run;
-  std::uint64_t id; ///< among all
+  std::string front; ///< of its lines in tables: those of its run, and "cell 1"
+  std::uint64_t id;  ///< among all
   std::vector<TrackRow> rows;
-
-  std::string unique_id() const { return fmt::format("{}_{}", run->name, id); }
-  std::string label() const { return fmt::format("cell {}", number_of(rows.front().cell)); }
 };
 
 std::vector<Track> tracks_of(std::span<const RunTracks> runs) {
   std::vector<Track> tracks;
-  for (const RunTracks& run : runs) {
-    std::vector<std::uint32_t> cells;
-    for (const TrackRow& row : run.rows)
-      if (std::ranges::find(cells, row.cell) == cells.end()) cells.push_back(row.cell);
-    for (const std::uint32_t cell : cells) tracks.push_back({&run, tracks.size(), rows_of(run.rows, cell)});
-  }
+  for (const RunTracks& run : runs)
+    for (const std::uint32_t cell : cells_of(run.rows)) {
+      const std::string unique = fmt::format("{}_{}", run.name, tracks.size());
+      const std::string label = fmt::format("cell {}", number_of(cell));
+      std::string front = store::csv_line(
+          {unique, run.condition, store::count(run.replicate), store::count(run.replicate), run.name, label});
+      front.back() = ',';
+      tracks.push_back({std::move(front), tracks.size(), rows_of(run.rows, cell)});
+    }
   return tracks;
 }
 
@@ -95,59 +106,25 @@ std::string spots_csv(std::span<const RunTracks> runs) {
                                  "POSITION_Y,POSITION_Z,POSITION_T,{}RADIUS,SPACE_UNIT,TIME_UNIT\n",
                                  even ? "FRAME," : "");
   std::uint64_t spot = 0;
-  for (const Track& track : tracks_of(runs)) {
-    const std::string unique = track.unique_id(), label = track.label();
+  for (const Track& track : tracks_of(runs))
     for (std::size_t k = 0; k < track.rows.size(); ++k) {
       const TrackRow& row = track.rows[k];
-      std::vector<store::Field> line{std::string_view(unique),
-                                     std::string_view(track.run->condition),
-                                     store::count(track.run->replicate),
-                                     store::count(track.run->replicate),
-                                     std::string_view(track.run->name),
-                                     std::string_view(label),
-                                     spot++,
-                                     track.id,
-                                     row.centre.x(),
-                                     row.centre.y(),
-                                     0.0,
-                                     row.t};
-      if (even) line.emplace_back(store::count(k));
-      line.emplace_back(std::sqrt(row.area / std::numbers::pi));
-      line.emplace_back(std::string_view("um"));
-      line.emplace_back(std::string_view("s"));
-      text += store::csv_line(line);
+      std::vector<store::Field> line{spot++, track.id, row.centre.x(), row.centre.y(), 0.0, row.t};
+      if (even) line.push_back(store::count(k));
+      line.insert(line.end(), {radius(row), "um", "s"});
+      text += track.front + store::csv_line(line);
     }
-  }
   return text;
 }
 
 std::string tracks_csv(std::span<const RunTracks> runs) {
   std::string text = "Unique_ID,Condition,experiment_nb,Repeat,File_name,LABEL,TRACK_ID,NUMBER_SPOTS,TRACK_START,"
                      "TRACK_STOP\n";
-  for (const Track& track : tracks_of(runs)) {
-    const std::string unique = track.unique_id(), label = track.label();
-    text += store::csv_line({std::string_view(unique), std::string_view(track.run->condition),
-                             store::count(track.run->replicate), store::count(track.run->replicate),
-                             std::string_view(track.run->name), std::string_view(label), track.id,
-                             store::count(track.rows.size()), track.rows.front().t, track.rows.back().t});
-  }
+  for (const Track& track : tracks_of(runs))
+    text += track.front
+            + store::csv_line({track.id, store::count(track.rows.size()), track.rows.front().t, track.rows.back().t});
   return text;
 }
-
-namespace {
-
-/// Radius of the disc of the same area [um].
-double radius(const TrackRow& row) { return std::sqrt(row.area / std::numbers::pi); }
-
-/// The ids of the cells, in the order of their first rows; without rows that of a single cell.
-std::vector<std::uint32_t> cells_of(std::span<const TrackRow> rows) {
-  std::vector<std::uint32_t> cells;
-  for (const TrackRow& row : rows)
-    if (std::ranges::find(cells, row.cell) == cells.end()) cells.push_back(row.cell);
-  return cells.empty() ? std::vector<std::uint32_t>{0} : cells;
-}
-
-} // namespace
 
 std::string celltrackr_csv(std::span<const TrackRow> rows) {
   std::string text = "id,t_s,x_um,y_um\n";
@@ -172,7 +149,8 @@ std::string trackmate_csv(std::span<const TrackRow> rows) {
 }
 
 std::string trackmate_xml(std::span<const TrackRow> rows) {
-  const std::vector<std::uint32_t> cells = cells_of(rows);
+  std::vector<std::uint32_t> cells = cells_of(rows);
+  if (cells.empty()) cells.push_back(0);
   const observe::EvenTimes times = observe::even_times(observe::times_of(rows));
   if (!times.is_even()) throw std::invalid_argument(fmt::format("the rows are {}", times.text()));
   std::string particles;
