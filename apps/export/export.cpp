@@ -6,7 +6,6 @@
 #include "base/file.hpp"
 #include "observe/even_times.hpp"
 #include "parameters/units.hpp"
-#include "run/finished_run.hpp"
 #include "run/folder_state.hpp"
 #include "run/own_files.hpp"
 #include "run/provenance.hpp"
@@ -24,10 +23,8 @@
 #include <iterator>
 #include <map>
 #include <memory>
-#include <optional>
 #include <stdexcept>
 #include <utility>
-#include <vector>
 
 namespace matrigrate::apps {
 

@@ -11,11 +11,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstddef>
 #include <sstream>
 #include <stdexcept>
-#include <string_view>
-#include <utility>
 
 namespace matrigrate::apps {
 

@@ -19,8 +19,6 @@
 #include <filesystem>
 #include <iterator>
 #include <optional>
-#include <string_view>
-#include <utility>
 
 namespace matrigrate::run {
 

@@ -1,6 +1,5 @@
 #include "run/run_record.hpp"
 
-#include "base/failure.hpp"
 #include "base/file.hpp"
 #include "base/text.hpp"
 #include "parameters/changes.hpp"
@@ -15,7 +14,6 @@
 
 #include <fmt/chrono.h>
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 

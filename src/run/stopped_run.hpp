@@ -8,7 +8,6 @@
 #include <filesystem>
 #include <string>
 #include <string_view>
-#include <vector>
 
 /// A resumable run: its record and its checkpoints. Test: tests/apps/resume_test.cpp
 namespace matrigrate::run {

@@ -2,7 +2,7 @@
 
 #include "base/failure.hpp"
 #include "store/deflate.hpp"
-#include "store/frame_log.hpp"
+#include "../unit/store/logs.hpp"
 
 #include <xxhash.h>
 

@@ -2,7 +2,6 @@
 
 #include "base/vector.hpp"
 
-#include <cstddef>
 #include <string>
 #include <vector>
 

@@ -7,12 +7,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <map>
 #include <numbers>
 #include <stdexcept>
-#include <utility>
-#include <vector>
 
 namespace matrigrate::exchange {
 

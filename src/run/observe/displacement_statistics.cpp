@@ -3,7 +3,6 @@
 #include "observe/readouts.hpp"
 #include "tracks/read_tracks.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <numbers>
 

@@ -22,13 +22,6 @@
 
 namespace matrigrate {
 
-std::vector<double> displacement_field(const EcmState& ecm) {
-  std::vector<double> field(ecm.size(), undefined);
-  for (std::size_t i = 0; i < ecm.size(); ++i)
-    if (ecm.f[i] > 0.0) field[i] = ecm.displacement(i).norm();
-  return field;
-}
-
 std::vector<double> fibre_stress_field(const EcmState& ecm, const FibreParameters& p, const FibreNetwork& network) {
   std::vector<double> field(ecm.size(), undefined);
   if (network.empty()) return field;

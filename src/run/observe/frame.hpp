@@ -81,6 +81,7 @@ struct FrameHead {
   std::vector<Floats> layers = std::vector<Floats>(matrix_layers().size());
 
   std::size_t particles() const { return reference.size() / 2; }
+  bool operator==(const FrameHead&) const = default;
   /// True if obstacle and layers are empty or have one entry a particle.
   bool consistent() const;
 };
@@ -117,12 +118,8 @@ Frame frame(const State& s, const Parameters& p, const Workspace& w);
 
 namespace matrigrate {
 
-// Fields of the matrix to look at, one value a particle; NaN in the fluid. Test: tests/unit/observe/frame_test.cpp
-
-/// |u| [um].
-std::vector<double> displacement_field(const EcmState& ecm);
-
-/// Von Mises stress of the fibres, Heck et al. 2020, Eq. (11) [kPa].
+/// Von Mises stress of the fibres, Heck et al. 2020, Eq. (11), one value a particle; NaN in the fluid [kPa].
+/// Test: tests/unit/observe/frame_test.cpp
 std::vector<double> fibre_stress_field(const EcmState& ecm, const FibreParameters& p, const FibreNetwork& network);
 
 } // namespace matrigrate

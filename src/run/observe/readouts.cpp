@@ -30,18 +30,14 @@ Mean mean_of(std::span<const ProtrusionRecord> records, const Value& value) {
   return mean;
 }
 
-std::size_t count(std::span<const ProtrusionRecord> records, bool (*which)(const ProtrusionRecord&)) {
-  return static_cast<std::size_t>(std::ranges::count_if(records, which));
-}
-
 bool matured(const ProtrusionRecord& r) { return !std::isnan(r.t_mature); }
-bool still_adheres(const ProtrusionRecord& r) { return matured(r) && r.cause == EndCause::none; }
-bool unadhered(const ProtrusionRecord& r) { return r.cause == EndCause::unadhered; }
 
 void add_protrusions(ReadOuts& out, std::span<const ProtrusionRecord> records, const Parameters& p) {
   out.n_protrusions = records.size();
-  out.n_unadhered = count(records, unadhered);
-  out.n_censored = count(records, still_adheres);
+  for (const ProtrusionRecord& r : records) {
+    out.n_unadhered += r.cause == EndCause::unadhered ? 1 : 0;
+    out.n_censored += matured(r) && r.cause == EndCause::none ? 1 : 0;
+  }
   // A difference or a ratio with a time or value that has not come is NaN, and so left out.
   out.tau_prot = mean_of(records, [](const auto& r) { return (r.t_disassembly - r.t_mature) / seconds_a_minute; });
   out.l_prot = mean_of(records, [](const auto& r) { return std::isnan(r.t_adhesion) ? undefined : r.length; });

@@ -4,7 +4,6 @@
 #include "state/state.hpp"
 
 #include <array>
-#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <span>

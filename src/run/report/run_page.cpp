@@ -11,7 +11,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <iterator>
 #include <stdexcept>
 
 namespace matrigrate::report {
@@ -54,12 +53,6 @@ Json protrusions_json(const RunReport& report) {
       for (std::size_t i = 0; i < columns.size(); ++i) json[std::string(columns[i])] = json_of(row[i]);
       list.push_back(std::move(json));
     }
-  return list;
-}
-
-Json facts_json(const std::vector<Fact>& facts) {
-  Json list = Json::array();
-  for (const Fact& fact : facts) list.push_back({{"name", fact.name}, {"value", fact.value}});
   return list;
 }
 
@@ -167,6 +160,8 @@ Json laws_json(const Parameters& p) {
 
 } // namespace
 
+void to_json(Json& json, const Fact& fact) { json = {{"name", fact.name}, {"value", fact.value}}; }
+
 std::string citation() {
   return "Heck et al. 2020, The role of actin protrusion dynamics in cell migration through a degradable viscoelastic "
          "extracellular matrix: Insights from a computational model. PLoS Comput Biol 16(1): e1007250, "
@@ -184,7 +179,7 @@ Json run_data(const RunReport& report) {
           {"title", report.title},
           {"status", report.status},
           {"summary", store::result_sentence(report.cells)},
-          {"facts", facts_json(report.facts)},
+          {"facts", report.facts},
           {"t_end_s", report.t_end},
           {"geometry",
            {{"radius_um", report.p.ecm.radius},

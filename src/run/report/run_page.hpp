@@ -19,6 +19,7 @@ struct Fact {
   std::string name;
   std::string value;
 };
+void to_json(nlohmann::ordered_json& json, const Fact& fact); ///< {name, value}
 
 struct RunReport {
   std::string title{};

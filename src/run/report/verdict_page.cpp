@@ -30,16 +30,8 @@ Json statement_json(const Statement& s) {
 } // namespace
 
 std::string to_string(Verdict verdict) {
-  switch (verdict) {
-  case Verdict::holds:
-    return "holds";
-  case Verdict::in_direction:
-    return "in direction";
-  case Verdict::does_not_hold:
-    return "does not hold";
-  default:
-    return "undecided";
-  }
+  constexpr std::array names{"holds", "in direction", "does not hold", "undecided"};
+  return names.at(static_cast<std::size_t>(verdict));
 }
 
 Json plot_json(const Plot& plot) {
@@ -61,12 +53,10 @@ Json plot_json(const Plot& plot) {
 }
 
 Json verdict_data(const VerdictReport& report) {
-  Json facts = Json::array();
-  for (const Fact& fact : report.facts) facts.push_back({{"name", fact.name}, {"value", fact.value}});
   Json statements = Json::array();
   for (const Statement& statement : report.statements) statements.push_back(statement_json(statement));
   return {{"format", "matrigrate-verdicts"}, {"version", 1},
-          {"title", report.title},           {"facts", facts},
+          {"title", report.title},           {"facts", report.facts},
           {"setting", report.setting},       {"statements", statements},
           {"studies", report.studies},       {"provenance", report.provenance},
           {"citation", citation()}};

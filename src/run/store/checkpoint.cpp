@@ -15,10 +15,8 @@
 #include <charconv>
 #include <cmath>
 #include <cstddef>
-#include <optional>
 #include <stdexcept>
 #include <type_traits>
-#include <utility>
 #include <variant>
 #include <vector>
 

@@ -2,7 +2,6 @@
 
 #include "state/state.hpp"
 
-#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>

@@ -5,7 +5,6 @@
 #include <zlib.h>
 
 #include <array>
-#include <cstddef>
 #include <cstdint>
 #include <new>
 

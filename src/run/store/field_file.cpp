@@ -8,14 +8,11 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <fstream>
-#include <functional>
 #include <optional>
 #include <utility>
-#include <vector>
 
 namespace matrigrate::store {
 

@@ -10,8 +10,6 @@
 #include <cstring>
 #include <iterator>
 #include <span>
-#include <sstream>
-#include <utility>
 
 namespace matrigrate::store {
 
@@ -178,17 +176,6 @@ std::string log_frame(const observe::Frame& frame) {
   if (attractant || nuclei) put_planes(content, frame.matrix.attractant);
   if (nuclei) put_planes(content, frame.nucleus);
   return as_block(content);
-}
-
-std::string log_bytes(const observe::Film& film) {
-  std::string bytes = log_head(film.head);
-  for (const observe::Frame& frame : film.frames) bytes += log_frame(frame);
-  return bytes;
-}
-
-observe::Film read_log(std::string_view bytes) {
-  std::istringstream log{std::string(bytes)};
-  return read_log(log);
 }
 
 observe::Film read_log(std::istream& log, const std::function<void(observe::Frame&)>& each) {

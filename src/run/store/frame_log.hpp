@@ -26,17 +26,13 @@ std::string log_head(const observe::FrameHead& head);
 /// A frame as it stands in a log.
 std::string log_frame(const observe::Frame& frame);
 
-/// The bytes of a log of these frames.
-std::string log_bytes(const observe::Film& film);
-
 /// Whether the arrays of a frame have the lengths that its own bodies and those of the head give them.
 /// @param fibres  particles with a stress of fibres: all or none
 bool fits(const observe::Frame& frame, const observe::FrameHead& head, std::size_t fibres);
 
 /// The whole frames of a log.
-/// @throws InputOutputError if not even the head is whole
-observe::Film read_log(std::string_view bytes);
 /// @param each  may take away fields that are not wanted
+/// @throws InputOutputError if not even the head is whole
 observe::Film read_log(std::istream& log, const std::function<void(observe::Frame&)>& each = {});
 
 /// The frames of a log, one after the other, so that only one need be in memory; from the first damage on, the rest of
@@ -68,7 +64,7 @@ private:
 class FrameLog {
 public:
   /// Writes the file with the frames so far; an older file is replaced as a whole or not at all.
-  /// @param whole  from log_bytes()
+  /// @param whole  head and frames
   /// @throws InputOutputError naming the path and the reason
   FrameLog(std::filesystem::path path, std::string_view whole) : m_file(std::move(path), whole) {}
 

@@ -2,7 +2,6 @@
 
 #include "base/failure.hpp"
 #include "base/file.hpp"
-#include "state/members.hpp"
 #include "store/trajectory_hash.hpp"
 #include "tables/run_files.hpp"
 #include "tables/state_json.hpp"
@@ -11,60 +10,10 @@
 #include <nlohmann/json.hpp>
 
 #include <stdexcept>
-#include <tuple>
-#include <type_traits>
 
 namespace matrigrate::store {
 
 namespace {
-
-// The members of each struct, in the order of their values in JSON.
-auto parts(Like<StepHealth> auto& s) {
-  return std::tie(s.solve.iterations, s.solve.residual, s.solve.converged, s.density_bounds, s.orphans, s.torn,
-                  s.engulfed, s.list_builds);
-}
-auto parts(Like<HealthWatch> auto& s) { return std::tie(s.max_iterations, s.largest_residual); }
-
-/// What is not defined is null.
-struct Writer {
-  template <class T>
-  Json operator()(const T& value) const {
-    if constexpr (std::is_arithmetic_v<T>)
-      return value;
-    else
-      return std::apply([this](const auto&... part) { return Json::array({(*this)(part)...}); }, parts(value));
-  }
-  Json operator()(const std::vector<double>& all) const { return all; }
-};
-
-/// Reads what Writer has written.
-struct Reader {
-  template <class T>
-  void operator()(const Json& json, T& value) const {
-    if constexpr (std::is_same_v<T, bool>)
-      value = json.get<bool>();
-    else if constexpr (std::is_floating_point_v<T>)
-      value = number(json);
-    else if constexpr (std::is_integral_v<T>)
-      value = integer<T>(json);
-    else
-      std::apply([&, k = std::size_t{0}](auto&... part) mutable { ((*this)(json.at(k++), part), ...); }, parts(value));
-  }
-  void operator()(const Json& json, std::vector<double>& all) const {
-    for (const Json& one : json) all.push_back(number(one));
-  }
-};
-
-/// Visits what is kept, but for the tables. Earlier versions kept drawings as well, which nobody reads.
-void each_part(Like<RunMemory> auto& memory, const auto& visit) {
-  visit("watch", memory.watch);
-  visit("counts", memory.counts);
-  visit("step", memory.step);
-  visit("force_imbalance", memory.force_imbalance);
-  visit("frames", memory.frames);
-  visit("trajectory", memory.trajectory);
-  visit("march_wall_time_s", memory.march_wall_time);
-}
 
 constexpr std::size_t max_table = std::size_t{1} << 28U;
 
@@ -79,42 +28,68 @@ std::string table_at(const std::filesystem::path& file, std::size_t bytes, const
   return text;
 }
 
+/// What `read` returns. @throws InputOutputError also where something is missing or of another type
+template <class Read>
+auto understood(const Read& read) {
+  try {
+    return read();
+  } catch (const Json::exception& error) {
+    throw InputOutputError(fmt::format("what the run has written so far cannot be read: {}", error.what()));
+  } catch (const std::invalid_argument& error) {
+    throw InputOutputError(fmt::format("what the run has written so far cannot be read: {}", error.what()));
+  }
+}
+
 } // namespace
 
 std::string to_text(const RunMemory& memory) {
-  Json json;
+  const auto& [solve, density_bounds, orphans, torn, engulfed, list_builds] = memory.counts;
+  Json json; // what is not defined is null
   for (const auto& [name, text] : memory.tables) json["tables"][name] = {text.size(), text_hash(text)};
-  each_part(memory, [&json](const char* name, const auto& part) { json[name] = Writer()(part); });
+  json["watch"] = {memory.watch.max_iterations, memory.watch.largest_residual};
+  json["counts"] = {solve.iterations, solve.residual, solve.converged, density_bounds,
+                    orphans,          torn,           engulfed,        list_builds};
+  json["step"] = memory.step;
+  json["force_imbalance"] = memory.force_imbalance;
+  json["frames"] = memory.frames;
+  json["trajectory"] = memory.trajectory;
+  json["march_wall_time_s"] = memory.march_wall_time;
   return json.dump();
 }
 
 void require_whole_tables(const std::string& text, const std::filesystem::path& folder) {
-  constexpr std::string_view key = "\"tables\":{";
-  const std::size_t start = text.find(key);
-  const std::size_t end = text.find('}', start);
-  if (start == std::string::npos || end == std::string::npos)
-    throw InputOutputError("what the run has written so far cannot be read");
-  const std::size_t open = start + key.size() - 1;
-  const Json tables = parse_json(text.substr(open, end + 1 - open));
-  if (!tables.is_object()) throw InputOutputError("what the run has written so far cannot be read");
-  try {
-    for (const auto& [name, mark] : tables.items()) {
+  require_shallow(text);
+  understood([&] {
+    const Json json = Json::parse(text);
+    for (const auto& [name, mark] : json.at("tables").items()) {
       const std::filesystem::path file = folder / name;
       table_at(file, integer<std::size_t>(mark.at(0)), mark.at(1));
       if (const std::string all = read_file(file, max_table); !all.empty() && all.back() != '\n')
         throw InputOutputError(fmt::format("{}: has been cut within its last line", file.string()));
     }
-  } catch (const Json::exception& error) {
-    throw InputOutputError(fmt::format("what the run has written so far cannot be read: {}", error.what()));
-  }
+  });
 }
 
 RunMemory parse_memory(const std::string& text, const std::filesystem::path& folder) {
-  try {
-    require_shallow(text);
-    const Json json = Json::parse(text);
+  require_shallow(text);
+  return understood([&] {
+    const Json json = Json::parse(text); // earlier versions kept drawings as well, which nobody reads
     RunMemory memory;
-    each_part(memory, [&json](const char* name, auto& part) { Reader()(json.at(name), part); });
+    const Json &watch = json.at("watch"), &counts = json.at("counts");
+    memory.watch = {.max_iterations = integer<int>(watch.at(0)), .largest_residual = number(watch.at(1))};
+    memory.counts = {.solve = {.iterations = integer<int>(counts.at(0)),
+                               .residual = number(counts.at(1)),
+                               .converged = counts.at(2).get<bool>()},
+                     .density_bounds = integer<std::size_t>(counts.at(3)),
+                     .orphans = integer<std::size_t>(counts.at(4)),
+                     .torn = integer<std::size_t>(counts.at(5)),
+                     .engulfed = integer<std::size_t>(counts.at(6)),
+                     .list_builds = integer<std::size_t>(counts.at(7))};
+    memory.step = integer<std::uint64_t>(json.at("step"));
+    memory.force_imbalance = number(json.at("force_imbalance"));
+    for (const Json& t : json.at("frames")) memory.frames.push_back(number(t));
+    memory.trajectory = integer<std::uint64_t>(json.at("trajectory"));
+    memory.march_wall_time = number(json.at("march_wall_time_s"));
     for (const char* name : {"tracks.csv", "health.csv"}) // those of each run
       if (!json.at("tables").contains(name)) throw std::invalid_argument(fmt::format("{} is not named", name));
     for (const auto& [name, mark] : json.at("tables").items())
@@ -123,11 +98,7 @@ RunMemory parse_memory(const std::string& text, const std::filesystem::path& fol
     if (const auto group = memory.tables.find("group.csv"); group != memory.tables.end())
       memory.group = naming(folder / "group.csv", [&] { return group_rows_of(group->second); });
     return memory;
-  } catch (const Json::exception& error) {
-    throw InputOutputError(fmt::format("what the run has written so far cannot be read: {}", error.what()));
-  } catch (const std::invalid_argument& error) {
-    throw InputOutputError(fmt::format("what the run has written so far cannot be read: {}", error.what()));
-  }
+  });
 }
 
 } // namespace matrigrate::store

@@ -12,16 +12,10 @@
 #include <iterator>
 #include <optional>
 #include <utility>
-#include <vector>
 
 namespace matrigrate::store {
 
 namespace {
-
-bool same(const observe::FrameHead& a, const observe::FrameHead& b) {
-  return a.radius == b.radius && a.spacing == b.spacing && a.reference == b.reference && a.obstacle == b.obstacle
-         && a.layers == b.layers;
-}
 
 /// Calls with each whole frame of the log, and then, while some are `missing`, with each one of the field file.
 template <class Keep, class Missing>
@@ -44,12 +38,12 @@ void for_each_whole(const std::filesystem::path& folder, const FrameShape& shape
     log.seekg(0);
     reader.emplace(log, shape.head);
   }
-  if (same(reader->head(), shape.head))
+  if (reader->head() == shape.head)
     while (std::optional<observe::Frame> frame = reader->next()) see(*std::move(frame));
   if (!missing()) return;
   try {
     observe::Film film = read_field_film(folder, Wanted::whole);
-    if (same(film.head, shape.head))
+    if (film.head == shape.head)
       for (observe::Frame& frame : film.frames) see(std::move(frame));
   } catch (const InputOutputError& reason) { // then they are lost
     if (trouble != nullptr) *trouble = reason.what();

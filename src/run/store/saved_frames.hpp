@@ -7,7 +7,6 @@
 #include <map>
 #include <span>
 #include <string>
-#include <vector>
 
 /// The whole frames of a run, for its resumption, reports and exports; and the frames that are lost.
 /// Test: tests/unit/store/frames_test.cpp

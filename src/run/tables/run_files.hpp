@@ -7,7 +7,6 @@
 #include "observe/tracks.hpp"
 #include "tables/table.hpp"
 
-#include <filesystem>
 #include <span>
 #include <string>
 #include <string_view>

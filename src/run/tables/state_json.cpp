@@ -4,10 +4,7 @@
 #include "base/file.hpp"
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
-#include <cmath>
-#include <stdexcept>
 #include <string>
 
 namespace matrigrate::store {

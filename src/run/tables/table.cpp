@@ -6,12 +6,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <cstddef>
 #include <stdexcept>
-#include <string_view>
-#include <utility>
 
 namespace matrigrate::store {
 

@@ -4,10 +4,10 @@
 #include "base/file.hpp"
 #include "cell/geometry.hpp"
 #include "observe/tracks.hpp"
-#include "store/frame_log.hpp"
 #include "store/hdf5.hpp"
 #include "unit/draw/markup.hpp"
 #include "unit/observe/frames.hpp"
+#include "unit/store/logs.hpp"
 
 #include <gtest/gtest.h>
 

@@ -2,10 +2,10 @@
 #include "base/file.hpp"
 #include "store/deflate.hpp"
 #include "store/field_file.hpp"
-#include "store/frame_log.hpp"
 #include "store/hdf5.hpp"
 #include "store/saved_frames.hpp"
 #include "unit/observe/frames.hpp"
+#include "unit/store/logs.hpp"
 
 #include <gtest/gtest.h>
 #include <sys/stat.h>
