@@ -4,7 +4,6 @@
 #include "apps/verbs.hpp"
 #include "base/failure.hpp"
 #include "base/file.hpp"
-#include "observe/even_times.hpp"
 #include "parameters/units.hpp"
 #include "run/folder_state.hpp"
 #include "run/own_files.hpp"

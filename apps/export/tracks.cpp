@@ -3,7 +3,6 @@
 #include "apps/terminal/terminal.hpp"
 #include "apps/verbs.hpp"
 #include "base/file.hpp"
-#include "observe/even_times.hpp"
 #include "parameters/units.hpp"
 #include "run/provenance.hpp"
 #include "run/run_record.hpp"

@@ -29,7 +29,6 @@ namespace matrigrate::run {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
 namespace fs = std::filesystem;
 
 /// The checkpoints around a time.

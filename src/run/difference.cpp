@@ -24,7 +24,6 @@ namespace matrigrate::run {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
 namespace fs = std::filesystem;
 
 constexpr std::size_t largest_file = std::size_t{1} << 28U;

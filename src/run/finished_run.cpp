@@ -3,7 +3,6 @@
 #include "base/failure.hpp"
 #include "base/file.hpp"
 #include "base/text.hpp"
-#include "observe/even_times.hpp"
 #include "parameters/read.hpp"
 #include "report/run_page.hpp"
 #include "run/folder_state.hpp"
@@ -20,8 +19,6 @@
 namespace matrigrate::run {
 
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 /// How the run stands, in a sentence.
 std::string status_text(const FinishedRun& run) {

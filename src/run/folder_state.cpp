@@ -18,7 +18,6 @@ namespace matrigrate::run {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
 namespace fs = std::filesystem;
 
 constexpr std::size_t max_listed = 20;

@@ -11,8 +11,6 @@ namespace matrigrate::run {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 RunOutcome done_before(const RunOptions& options, const Json& record, RunObserver& observer) {
   restore_scenario(options.folder, observer);
   RunOutcome outcome;

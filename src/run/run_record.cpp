@@ -21,7 +21,6 @@ namespace matrigrate::run {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
 using WallClock = std::chrono::system_clock;
 namespace fs = std::filesystem;
 

@@ -32,7 +32,7 @@ struct RunStart {
   Parameters p;
   store::RunMemory memory{};                        ///< empty: a new run
   std::optional<BranchPoint> before{};              ///< of a branch
-  std::vector<nlohmann::ordered_json> lineage{};    ///< restarts and branches, oldest first
+  std::vector<Json> lineage{};                      ///< restarts and branches, oldest first
   std::filesystem::path frames_from{};              ///< the folder whose frames a branch takes over
   std::string scenario{};                           ///< its name; empty: that of the command line
   std::vector<std::vector<std::string>> commands{}; ///< that started it, oldest first; none: the command line
@@ -54,10 +54,10 @@ struct RunOptions {
 struct RunOutcome {
   std::filesystem::path folder;
   RunEnd end = RunEnd::completed;
-  bool computed = true;          ///< false: the run was done already, and the members
-                                 ///< below are empty but for `record`
-  nlohmann::ordered_json record; ///< run.json
-  std::string sentence;          ///< how it ended, for people
+  bool computed = true; ///< false: the run was done already, and the members
+                        ///< below are empty but for `record`
+  Json record;          ///< run.json
+  std::string sentence; ///< how it ended, for people
   Parameters p;
   std::vector<CellResult> cells; ///< results of each
 };

@@ -26,7 +26,6 @@ namespace matrigrate::run {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
 namespace fs = std::filesystem;
 
 constexpr std::size_t max_scenario = std::size_t{64} << 20U;

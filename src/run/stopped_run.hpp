@@ -18,7 +18,7 @@ bool has_summary(const std::filesystem::path& folder);
 /// True if a run is done: its record says so, and its checkpoint, if whole, does not contradict, nor is its summary
 /// gone.
 /// @param record  run.json of the folder
-bool is_done(const std::filesystem::path& folder, const nlohmann::ordered_json& record, RunObserver& observer);
+bool is_done(const std::filesystem::path& folder, const Json& record, RunObserver& observer);
 
 /// The parameters of the run in a folder: scenario.resolved.toml or, with a warning, what its checkpoint holds.
 /// @throws InputOutputError if neither can be read
@@ -65,10 +65,10 @@ bool has_checkpoint(const std::filesystem::path& folder);
 bool has_only_broken_checkpoints(const std::filesystem::path& folder);
 
 /// A start from a checkpoint.
-RunStart start_from(const FoundCheckpoint& found, const nlohmann::ordered_json& record);
+RunStart start_from(const FoundCheckpoint& found, const Json& record);
 
 /// An entry of the lineage: "resumed" or "branched".
-nlohmann::ordered_json event(std::string_view kind, const FoundCheckpoint& found);
+Json event(std::string_view kind, const FoundCheckpoint& found);
 
 /// Warns if another version of the program wrote the checkpoint: that bits may differ, or that its model is another.
 void warn_of_other_program(const FoundCheckpoint& found, RunObserver& observer);

@@ -1,4 +1,3 @@
-#include "observe/even_times.hpp"
 #include "program.hpp"
 #include "store/field_file.hpp"
 #include "store/saved_frames.hpp"

@@ -39,7 +39,7 @@ src/run/store/checkpoint.cpp|else if (!value.empty())|else if (!value.empty() &&
 src/model/state/image.cpp|put(value.value_or(0.0));|put(0.0);|store|the polarization is left out of the image
 src/run/store/saved_frames.cpp|saved.size() < times.size()|saved.empty()|store|frames missing in the log are not taken from the field file
 src/run/store/run_memory.cpp|text_hash(text) != hash|hash.empty()|store|a table that was edited is taken
-src/run/observe/even_times.cpp|= times[1] - times[0];|= times.back() - times[0];|observe|the interval of even times is the whole time
+src/run/observe/tracks.cpp|= times[1] - times[0];|= times.back() - times[0];|observe|the interval of even times is the whole time
 src/run/cadence.hpp|(t + m_slack) / m_interval|t / m_interval|run|an event is due twice where times are rounded down
 src/run/stopped_run.cpp|expected != configuration_hash(found.p)|expected.empty()|run|a checkpoint of another scenario is taken
 src/run/run_record.cpp|q.run.threads = threads_in_texts;||run|the configuration hash depends on the number of threads

@@ -1,6 +1,5 @@
 #include "exchange/run_tracks.hpp"
 
-#include "observe/even_times.hpp"
 #include "tables/table.hpp"
 
 #include <fmt/format.h>

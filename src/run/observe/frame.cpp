@@ -228,6 +228,12 @@ bool FrameHead::consistent() const {
   return one_each(obstacle) && std::ranges::all_of(layers, one_each);
 }
 
+std::vector<double> times_of(const Film& film) {
+  std::vector<double> times;
+  for (const Frame& frame : film.frames) times.push_back(frame.t);
+  return times;
+}
+
 FrameHead frame_head(const State& s, const Parameters& p) {
   FrameHead head{
       .radius = p.ecm.radius, .spacing = p.ecm.particle_spacing, .reference = {}, .obstacle = s.ecm.obstacle};

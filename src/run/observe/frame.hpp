@@ -91,6 +91,7 @@ struct Film {
   FrameHead head;
   std::vector<Frame> frames;
 };
+std::vector<double> times_of(const Film& film);
 
 /// Where a field stands in files: the one table for all writers and readers of frames.
 template <class Numbers>

@@ -1,6 +1,5 @@
 #include "base/random.hpp"
 #include "observe/displacement_statistics.hpp"
-#include "observe/even_times.hpp"
 #include "observe/group.hpp"
 #include "observe/tracks.hpp"
 #include "state/cortex.hpp"
