@@ -5,6 +5,7 @@
 #include "base/failure.hpp"
 #include "base/file.hpp"
 #include "base/text.hpp"
+#include "report/run_page.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -141,7 +142,7 @@ void export_drawn(const run::FinishedRun& run, const DrawnKinds& kinds, const Dr
   if (!kinds.any()) return;
   const Scratch scratch(folder);
   write_file(scratch.path / "drive.mjs", drive_script());
-  write_file(scratch.path / "page.html", report_of(run, run_page_template()));
+  write_file(scratch.path / "page.html", report::filled_page(run_page_template(), page_data(run)));
   std::vector<json> jobs;
   if (kinds.frames) jobs.push_back(job(options, "displacement", "frames", numbered(run, options.frames)));
   if (kinds.panel) jobs.push_back(job(options, "displacement", "panel", options.panel_times));

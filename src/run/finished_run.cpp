@@ -112,8 +112,4 @@ nlohmann::ordered_json page_data(const FinishedRun& run) {
                            .provenance = provenance_of(run.record)});
 }
 
-std::string report_of(const FinishedRun& run, std::string_view page_template) {
-  return report::filled_page(page_template, page_data(run));
-}
-
 } // namespace matrigrate::run

@@ -10,7 +10,6 @@
 
 #include <filesystem>
 #include <string>
-#include <string_view>
 #include <vector>
 
 namespace matrigrate::run {
@@ -37,9 +36,5 @@ store::LostFrames lost_frames(const FinishedRun& run);
 
 /// What the page of the run shows (viewer/src/contract.ts).
 nlohmann::ordered_json page_data(const FinishedRun& run);
-
-/// The page of report.html.
-/// @param page_template  of report/run_page.hpp
-std::string report_of(const FinishedRun& run, std::string_view page_template);
 
 } // namespace matrigrate::run

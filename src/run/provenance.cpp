@@ -57,13 +57,13 @@ std::string cpu_model() {
 
 /// Instruction sets that hot loops may use, by their names in /proc/cpuinfo.
 std::vector<std::string> simd_features() {
-  constexpr std::array<std::pair<std::string_view, std::string_view>, 7> known{{{"sse2", "sse2"},
-                                                                                {"sse4_2", "sse4.2"},
-                                                                                {"avx", "avx"},
-                                                                                {"fma", "fma"},
-                                                                                {"avx2", "avx2"},
-                                                                                {"avx512f", "avx512f"},
-                                                                                {"asimd", "neon"}}};
+  constexpr auto known = std::to_array<std::pair<std::string_view, std::string_view>>({{"sse2", "sse2"},
+                                                                                       {"sse4_2", "sse4.2"},
+                                                                                       {"avx", "avx"},
+                                                                                       {"fma", "fma"},
+                                                                                       {"avx2", "avx2"},
+                                                                                       {"avx512f", "avx512f"},
+                                                                                       {"asimd", "neon"}});
   std::istringstream words(platform::processor("flags") + ' ' + platform::processor("Features")); // of x86 and of Arm
   const std::set<std::string> has{std::istream_iterator<std::string>(words), {}};
   std::vector<std::string> found;

@@ -1,6 +1,5 @@
 #include "observe/displacement_statistics.hpp"
 
-#include "observe/readouts.hpp"
 #include "tracks/read_tracks.hpp"
 
 #include <cmath>
@@ -51,7 +50,7 @@ double msd_slope(std::span<const MsdPoint> points) {
 }
 
 Guidance guidance(std::span<const TrackRow> rows, double direction, double interval) {
-  Guidance found{undefined, undefined, undefined, {undefined, undefined, undefined}};
+  Guidance found;
   const std::vector<Vec2> x = sampled(rows, interval);
   if (x.empty()) return found;
   const Vec2 d(std::cos(direction), std::sin(direction));

@@ -28,13 +28,13 @@ double msd_slope(std::span<const MsdPoint> points);
 /// How a path runs to a direction taken without sign, as that of fibres. Angles: 0 along, 90 across, 45 on average
 /// where all directions in the plane are equally likely [degrees]; NaN without a path.
 struct Guidance {
-  double path_angle; ///< mean over the steps, each weighted by its length
-  double step_angle; ///< mean over the steps, each counted alike
-  double net_angle;  ///< of the displacement from start to end
+  double path_angle = undefined; ///< mean over the steps, each weighted by its length
+  double step_angle = undefined; ///< mean over the steps, each counted alike
+  double net_angle = undefined;  ///< of the displacement from start to end
   /// Mean square displacement along the direction over that across it, at lags of 1, 3 and 6 h, each over all start
   /// times, overlapping; 1 where the path has no direction; NaN of a shorter path, and where it never goes across [-].
   /// Of several runs, add up the squares first: the mean of ratios is ruled by the runs that hardly go across.
-  std::array<double, 3> ratios;
+  std::array<double, 3> ratios{undefined, undefined, undefined};
 };
 
 /// @param direction  angle of the fibres [rad]   @param interval  of the steps [s]

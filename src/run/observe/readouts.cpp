@@ -1,6 +1,5 @@
 #include "observe/readouts.hpp"
 
-#include "observe/displacement_statistics.hpp"
 #include "protrusion/adhesion.hpp"
 
 #include <algorithm>
@@ -153,14 +152,7 @@ ReadOuts readouts(std::span<const TrackRow> rows, std::span<const ProtrusionReco
   out.v_migr_path_60s = path_length(rows, 60.0) / hours;
   out.v_migr_path_600s = path_length(rows, 600.0) / hours;
   out.msd_slope = msd_slope(mean_square_displacement(rows, 600.0));
-  if (!uniaxial) return out;
-  const Guidance guided = guidance(rows, fibres, 600.0);
-  out.path_angle = guided.path_angle;
-  out.step_angle = guided.step_angle;
-  out.net_angle = guided.net_angle;
-  out.along_over_across_1h = guided.ratios[0];
-  out.along_over_across_3h = guided.ratios[1];
-  out.along_over_across_6h = guided.ratios[2];
+  if (uniaxial) out.guidance = guidance(rows, fibres, 600.0);
   return out;
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "observe/displacement_statistics.hpp"
 #include "observe/group.hpp"
-#include "observe/tracks.hpp"
 #include "parameters/parameters.hpp"
 
 #include <cstddef>
@@ -41,22 +41,15 @@ struct ReadOuts {
   Mean f_adh_rel;                       ///< Eq. (9): force / (f_mat F_am) at disassembly [-]
   double mean_simultaneous = undefined; ///< protrusions alive, of all phases, mean over the rows
   std::size_t max_simultaneous = 0;     ///< the largest number of them in a row
-  double msd_slope = undefined;  ///< log-log slope of the mean square displacement, lags of 10 min to half the run [-]
-  double path_angle = undefined; ///< Guidance::path_angle to uniaxial fibres, steps of 600 s [degrees]
-  OrientedProtrusions along;     ///< uniaxial fibres
-  OrientedProtrusions across;    ///< uniaxial fibres
+  double msd_slope = undefined; ///< log-log slope of the mean square displacement, lags of 10 min to half the run [-]
+  Guidance guidance;            ///< to uniaxial fibres, steps of 600 s
+  OrientedProtrusions along;    ///< uniaxial fibres
+  OrientedProtrusions across;   ///< uniaxial fibres
 
   // Needed by claims.
   double share_low_force = undefined; ///< of mature adhesions that ended, those with f_adh_rel < low_relative_force [-]
   double share_2_or_3 = undefined;    ///< of the rows, those with 2 or 3 protrusions alive [-]
   double migration_index = undefined; ///< way along x over the path sampled every 600 s, from -1 to 1 [-]
-
-  // To uniaxial fibres, steps of 600 s: members of Guidance.
-  double step_angle = undefined;           ///< [degrees]
-  double net_angle = undefined;            ///< [degrees]
-  double along_over_across_1h = undefined; ///< [-]
-  double along_over_across_3h = undefined; ///< [-]
-  double along_over_across_6h = undefined; ///< [-]
 
   // Of several cells; all but the first are those of the group, the same for each cell.
   double parting_index = undefined; ///< cosine between displacement and the way off the nearest cell at the start [-]

@@ -79,6 +79,14 @@ auto rows_in(const Table& table, const auto& columns) {
   return rows;
 }
 
+/// A column that is a coordinate: 0 for x, 1 for y.
+template <auto member, int axis>
+constexpr auto coordinate(std::string_view name) {
+  using Row = decltype(row_of(member));
+  return TableColumn<Row>{name, [](const Row& row) -> Field { return (row.*member)[axis]; },
+                          [](Row& row, double value) { (row.*member)[axis] = value; }};
+}
+
 NucleusRow& nucleus_of(TrackRow& row) { return row.nucleus ? *row.nucleus : row.nucleus.emplace(); }
 
 template <std::size_t k>
@@ -99,10 +107,8 @@ constexpr std::array<TableColumn<TrackRow>, 18> track_table{{
     {"track", [](const TrackRow& row) { return count(number_of(row.cell)); },
      [](TrackRow& row, double value) { row.cell = counted<std::uint32_t>(value - 1.0); }},
     column<&TrackRow::t>("t_s"),
-    {"x_um", [](const TrackRow& row) -> Field { return row.centre.x(); },
-     [](TrackRow& row, double value) { row.centre.x() = value; }},
-    {"y_um", [](const TrackRow& row) -> Field { return row.centre.y(); },
-     [](TrackRow& row, double value) { row.centre.y() = value; }},
+    coordinate<&TrackRow::centre, 0>("x_um"),
+    coordinate<&TrackRow::centre, 1>("y_um"),
     column<&TrackRow::area>("area_um2"),
     column<&TrackRow::perimeter>("perimeter_um"),
     {"polarization_rad", [](const TrackRow& row) -> Field { return row.polarization.value_or(undefined); },
@@ -149,10 +155,8 @@ constexpr std::array<TableColumn<HealthRow>, 18> health_table{{
 
 constexpr std::array<TableColumn<GroupRow>, 11> group_table{{
     column<&GroupRow::t>("t_s"),
-    {"x_um", [](const GroupRow& row) -> Field { return row.centre.x(); },
-     [](GroupRow& row, double value) { row.centre.x() = value; }},
-    {"y_um", [](const GroupRow& row) -> Field { return row.centre.y(); },
-     [](GroupRow& row, double value) { row.centre.y() = value; }},
+    coordinate<&GroupRow::centre, 0>("x_um"),
+    coordinate<&GroupRow::centre, 1>("y_um"),
     column<&GroupRow::spread>("spread_um"),
     column<&GroupRow::speed>("speed_um_per_h"),
     column<&GroupRow::order>("order"),
@@ -225,38 +229,34 @@ std::vector<std::string_view> with_cell(std::vector<std::string_view> columns) {
 
 namespace {
 
-/// Adds rows to a table with these columns.
-class CellTable {
-public:
-  CellTable(std::span<const CellResult> cells, std::vector<std::string_view> columns) : m_several(cells.size() > 1) {
-    if (m_several) columns = with_cell(std::move(columns));
-    m_text = csv_line({columns.begin(), columns.end()});
-  }
-  void add(std::uint32_t cell, std::vector<Field> fields) {
-    m_text += csv_line(m_several ? with_cell(cell, std::move(fields)) : fields);
-  }
-  const std::string& text() const { return m_text; }
-
-private:
-  bool m_several;
-  std::string m_text;
-};
+/// A table with the rows of all cells. @param rows_of  a cell gives its rows
+template <class RowsOf>
+std::string cells_csv(std::span<const CellResult> cells, std::vector<std::string_view> columns, const RowsOf& rows_of) {
+  const bool several = cells.size() > 1;
+  if (several) columns = with_cell(std::move(columns));
+  std::string text = csv_line({columns.begin(), columns.end()});
+  for (const CellResult& cell : cells)
+    for (const std::vector<Field>& row : rows_of(cell)) text += csv_line(several ? with_cell(cell.cell, row) : row);
+  return text;
+}
 
 } // namespace
 
 std::string protrusions_csv(std::span<const CellResult> cells, const Parameters& p) {
-  CellTable table(cells, protrusion_columns());
-  for (const CellResult& cell : cells)
-    for (const ProtrusionRecord& r : cell.records) table.add(cell.cell, fields(r, p));
-  return table.text();
+  return cells_csv(cells, protrusion_columns(), [&](const CellResult& cell) {
+    std::vector<std::vector<Field>> rows;
+    for (const ProtrusionRecord& r : cell.records) rows.push_back(fields(r, p));
+    return rows;
+  });
 }
 
 std::string msd_csv(std::span<const CellResult> cells, double interval) {
-  CellTable table(cells, {"lag_s", "msd_um2", "samples"});
-  for (const CellResult& cell : cells)
+  return cells_csv(cells, {"lag_s", "msd_um2", "samples"}, [&](const CellResult& cell) {
+    std::vector<std::vector<Field>> rows;
     for (const MsdPoint& point : mean_square_displacement(cell.rows, interval))
-      table.add(cell.cell, {point.lag, point.msd, count(point.samples)});
-  return table.text();
+      rows.push_back({point.lag, point.msd, count(point.samples)});
+    return rows;
+  });
 }
 
 std::vector<NamedValue> named_values(const ReadOuts& r) {
@@ -318,13 +318,11 @@ std::string readable(const Field& value) {
 std::string summary_csv(std::span<const CellResult> cells) {
   std::vector<std::string_view> columns;
   for (const ReadOutSpec& spec : readout_table()) columns.push_back(spec.name);
-  CellTable table(cells, std::move(columns));
-  for (const CellResult& cell : cells) {
+  return cells_csv(cells, std::move(columns), [](const CellResult& cell) {
     std::vector<Field> row;
     for (const NamedValue& v : named_values(cell.readouts)) row.push_back(v.value);
-    table.add(cell.cell, std::move(row));
-  }
-  return table.text();
+    return std::vector{row};
+  });
 }
 
 std::string summary_json(std::span<const CellResult> cells) {
