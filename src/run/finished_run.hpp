@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include <filesystem>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -36,5 +37,13 @@ store::LostFrames lost_frames(const FinishedRun& run);
 
 /// What the page of the run shows (viewer/src/contract.ts).
 nlohmann::ordered_json page_data(const FinishedRun& run);
+
+// Read-outs of runs by versions up to 0.2.0, whose summary.json lacks those that claims need.
+// Test: tests/apps/other_version_test.cpp
+
+/// Sets these read-outs from the tables of a run; of several cells their mean over those for which they are defined.
+/// @param values  in the order of readout_table()
+/// @throws InputOutputError if a table cannot be read
+void add_from_tables(const std::filesystem::path& folder, std::span<double> values);
 
 } // namespace matrigrate::run

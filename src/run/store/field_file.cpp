@@ -8,15 +8,21 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <fstream>
 #include <optional>
+#include <type_traits>
 #include <utility>
+#include <vector>
 
 namespace matrigrate::store {
 
 namespace {
+
+/// Where the view of frame k of an array is: "/frames/3/matrix/position" for "/matrix/position".
+std::string frame_path(std::size_t k, std::string_view name) { return fmt::format("/frames/{}{}", k, name); }
 
 /// Vectors of two components with a third one, 0; all else as it is.
 observe::Floats in_space(const observe::Floats& values, std::uint32_t components) {
@@ -197,8 +203,6 @@ private:
 
 } // namespace
 
-std::string frame_path(std::size_t k, std::string_view name) { return fmt::format("/frames/{}{}", k, name); }
-
 std::string field_file(const observe::Film& film, const FieldOrigin& origin) {
   FieldWriter writer(film.head, film.frames.size());
   writer.add_all(film, origin);
@@ -225,6 +229,224 @@ void write_field_files(const std::filesystem::path& folder, std::size_t frames, 
     writer.finish(origin);
   });
   writer.save(folder);
+}
+
+namespace {
+
+/// An array at frame k.
+std::string item(std::string_view name, std::string_view type, std::size_t k, std::size_t n, int components) {
+  return fmt::format("<DataItem Dimensions=\"{}{}\" {} Format=\"HDF\">{}:{}</DataItem>", n, components == 3 ? " 3" : "",
+                     type, field_file_name, frame_path(k, fmt::format("/{}", name)));
+}
+
+constexpr std::string_view floating = "NumberType=\"Float\" Precision=\"4\"";
+constexpr std::string_view bytes = "NumberType=\"UChar\" Precision=\"1\"";
+constexpr std::string_view whole_numbers = "NumberType=\"UInt\" Precision=\"4\"";
+
+std::string attribute(std::string_view name, std::string_view type, std::size_t k, std::size_t n, int components) {
+  return fmt::format("        <Attribute Name=\"{}\" AttributeType=\"{}\" Center=\"Node\">{}</Attribute>\n",
+                     name.substr(name.find('/') + 1), components == 3 ? "Vector" : "Scalar",
+                     item(name, type, k, n, components));
+}
+
+/// All fields of one body; all frames have the same.
+std::string attributes(std::string_view body, const observe::Frame& frame, std::size_t k, std::size_t n) {
+  std::string text;
+  for (const auto& field : observe::float_fields())
+    if (field.name.starts_with(body) && field.name != "outline/position" && !field.in(frame).empty())
+      text += attribute(field.name, floating, k, n, field.components == 2 ? 3 : 1);
+  for (const auto& field : observe::byte_fields())
+    if (field.name.starts_with(body)) text += attribute(field.name, bytes, k, n, 1);
+  return text;
+}
+
+/// @param fields  its attributes
+std::string grid(std::string_view name, const std::string& topology, double t, std::size_t k, std::size_t n,
+                 const std::string& fields) {
+  return fmt::format("      <Grid Name=\"{0}\" GridType=\"Uniform\">\n        <Time Value=\"{1}\"/>\n        {2}\n"
+                     "        <Geometry GeometryType=\"XYZ\">{3}</Geometry>\n{4}      </Grid>\n",
+                     name, t, topology, item(fmt::format("{}/position", name), floating, k, n, 3), fields);
+}
+
+std::string points(std::size_t n) {
+  return fmt::format("<Topology TopologyType=\"Polyvertex\" NumberOfElements=\"{}\" NodesPerElement=\"1\"/>", n);
+}
+
+/// A line around each cell. All cells have as many particles.
+std::string closed_lines(const observe::OutlineFrame& outline) {
+  const std::vector<std::size_t> ends = observe::outline_ends(outline);
+  std::string points;
+  std::size_t first = 0;
+  for (const std::size_t end : ends) {
+    for (std::size_t i = first; i <= end; ++i) points += fmt::format("{} ", i == end ? first : i);
+    first = end;
+  }
+  return fmt::format("<Topology TopologyType=\"Polyline\" NumberOfElements=\"{0}\" NodesPerElement=\"{1}\">"
+                     "<DataItem Dimensions=\"{0} {1}\" NumberType=\"Int\" Format=\"XML\">{2}</DataItem></Topology>",
+                     ends.size(), ends.front() + 1, points);
+}
+
+std::string collection(std::string_view name, const std::string& grids) {
+  return fmt::format("    <Grid Name=\"{}\" GridType=\"Collection\" CollectionType=\"Temporal\">\n{}    </Grid>\n",
+                     name, grids);
+}
+
+/// Readers find none at a time that is left out, and some of them stumble over a grid of no points.
+std::string anchor_grids(std::span<const double> times, std::span<const std::size_t> anchors) {
+  std::string text;
+  for (std::size_t k = 0; k < times.size(); ++k) {
+    const std::size_t n = anchors[k];
+    if (n == 0) continue;
+    text += grid("anchors", points(n), times[k], k, n,
+                 attribute("anchors/id", whole_numbers, k, n, 1) + attribute("anchors/f_mat", floating, k, n, 1)
+                     + attribute("anchors/force", floating, k, n, 1));
+  }
+  return text;
+}
+
+} // namespace
+
+std::string field_index(const observe::Frame* first, std::span<const double> times,
+                        std::span<const std::size_t> anchors) {
+  std::string text = "<?xml version=\"1.0\"?>\n<Xdmf Version=\"2.0\">\n  <Domain>\n";
+  if (first != nullptr) {
+    const std::size_t n = first->matrix.f_degr.size();
+    const std::size_t m = first->outline.front.size();
+    const std::string lines = m > 0 ? closed_lines(first->outline) : std::string();
+    std::string matrix;
+    std::string outline;
+    for (std::size_t k = 0; k < times.size(); ++k) {
+      matrix += grid("matrix", points(n), times[k], k, n,
+                     attributes("matrix/", *first, k, n) + attribute("matrix/solid", bytes, k, n, 1));
+      if (m > 0) outline += grid("outline", lines, times[k], k, m, attributes("outline/", *first, k, m));
+    }
+    text += collection("matrix", matrix);
+    if (m > 0) text += collection("outline", outline);
+    if (const std::string adhesions = anchor_grids(times, anchors); !adhesions.empty())
+      text += collection("anchors", adhesions);
+  }
+  return text + "  </Domain>\n</Xdmf>\n";
+}
+
+namespace {
+
+constexpr std::size_t max_field_file_bytes = std::size_t{64} << 30U;
+
+template <class Number>
+std::vector<Number> in_plane(const std::vector<Number>& values, std::uint32_t components) {
+  if (components != 2) return values;
+  std::vector<Number> all;
+  all.reserve(values.size() / 3 * 2);
+  for (std::size_t i = 0; i + 2 < values.size(); i += 3) all.insert(all.end(), {values[i], values[i + 1]});
+  return all;
+}
+
+void read_protrusions(const MemoryFile& file, observe::Film& film) {
+  std::vector<std::size_t> frames; // of the rows
+  for (const float frame : file.floats("/protrusions/frame")) {
+    if (!(frame >= 0.0F && static_cast<double>(frame) < static_cast<double>(film.frames.size())))
+      throw InputOutputError("a protrusion belongs to no frame");
+    frames.push_back(static_cast<std::size_t>(frame));
+  }
+  const auto hand_out = [&](const auto& field, const auto& numbers) {
+    if (numbers.size() != frames.size() * field.components)
+      throw InputOutputError("its tables of protrusions do not match in length");
+    for (std::size_t row = 0; row < frames.size(); ++row) {
+      const auto first = numbers.begin() + static_cast<std::ptrdiff_t>(row * field.components);
+      auto& to = field.of(film.frames[frames[row]]);
+      to.insert(to.end(), first, first + field.components);
+    }
+  };
+  for (const auto& field : observe::float_fields())
+    if (const std::string name = fmt::format("/{}", field.name);
+        field.of_protrusions() && (field.of_all || file.has(name)))
+      hand_out(field, in_plane(file.floats(name), field.components));
+  for (const auto& field : observe::byte_fields())
+    if (field.of_protrusions()) hand_out(field, file.array<std::uint8_t>(fmt::format("/{}", field.name)));
+}
+
+/// What all frames share, and their times.
+observe::Film without_fields(const MemoryFile& file) {
+  const std::vector<double> radius = file.array<double>("/matrix/radius"),
+                            spacing = file.array<double>("/matrix/spacing");
+  if (radius.size() != 1 || spacing.size() != 1) throw InputOutputError("is no field file of matrigrate");
+  observe::Film film{
+      .head = {.radius = radius[0], .spacing = spacing[0], .reference = in_plane(file.floats("/matrix/reference"), 2)},
+      .frames = {}};
+  if (file.has("/matrix/obstacle")) film.head.obstacle = file.array<std::uint8_t>("/matrix/obstacle");
+  for (std::size_t k = 0; k < film.head.layers.size(); ++k)
+    if (const std::string name = fmt::format("/matrix/{}", observe::matrix_layers()[k].layer); file.has(name))
+      film.head.layers[k] = file.floats(name);
+  if (!film.head.consistent()) throw InputOutputError("its arrays do not match");
+  for (const double t : file.array<double>("/time"))
+    film.frames.push_back({.t = t, .matrix = {}, .outline = {}, .protrusions = {}});
+  return film;
+}
+
+observe::Film film_in(const MemoryFile& file, Wanted wanted) {
+  observe::Film film = without_fields(file);
+  std::vector<observe::Frame>& frames = film.frames;
+  if (frames.empty()) return film;
+  std::vector<bool> whole(frames.size(), true);
+  const auto read = [&](const auto& field) {
+    const std::string name = fmt::format("/{}", field.name);
+    if (field.of_protrusions() || !file.has(name)) return;  // fibres, where there are none
+    const std::size_t each = field.components == 2 ? 3 : 1; // vectors have a third component
+    file.require_frames(name, frames.size(), field.name.starts_with("matrix/") ? each * film.head.particles() : 0);
+    for (std::size_t k = 0; k < frames.size(); ++k) try {
+        auto& numbers = field.of(frames[k]);
+        using Number = typename std::remove_reference_t<decltype(numbers)>::value_type;
+        numbers = in_plane(file.frame<Number>(name, k), field.components);
+      } catch (const InputOutputError&) {
+        if (wanted == Wanted::all) throw;
+        whole[k] = false;
+      }
+  };
+  std::ranges::for_each(observe::float_fields(), read);
+  std::ranges::for_each(observe::byte_fields(), read);
+  read_protrusions(file, film);
+  const std::size_t fibres = file.has("/matrix/fibre_von_mises") ? film.head.particles() : 0;
+  std::vector<observe::Frame> found;
+  for (std::size_t k = 0; k < frames.size(); ++k)
+    if (whole[k] && fits(frames[k], film.head, fibres))
+      found.push_back(std::move(frames[k]));
+    else if (wanted == Wanted::all)
+      throw InputOutputError("its arrays do not match");
+  frames = std::move(found);
+  return film;
+}
+
+bool is_there(const std::filesystem::path& file) {
+  std::error_code error;
+  return std::filesystem::exists(file, error);
+}
+
+} // namespace
+
+observe::Film read_field_file(std::string_view bytes, Wanted wanted) { return film_in(MemoryFile(bytes), wanted); }
+
+observe::Film read_field_film(const std::filesystem::path& folder, Wanted wanted) {
+  const std::filesystem::path path = folder / field_file_name;
+  if (!is_there(path)) return {};
+  std::string bytes = read_file(path, max_field_file_bytes);
+  return naming(path, [&] {
+    const MemoryFile file(bytes);
+    bytes = std::string(); // HDF5 has taken a copy
+    return film_in(file, wanted);
+  });
+}
+
+observe::Film read_film(const std::filesystem::path& folder, const std::function<void(observe::Frame&)>& each) {
+  const std::filesystem::path path = folder / frame_log_name;
+  if (!is_there(path)) {
+    observe::Film film = read_field_film(folder, Wanted::all);
+    if (each) std::ranges::for_each(film.frames, each);
+    return film;
+  }
+  return naming(path, [&] {
+    std::ifstream log(path, std::ios::binary);
+    return read_log(log, each);
+  });
 }
 
 } // namespace matrigrate::store

@@ -54,9 +54,6 @@ void write_field_files(const std::filesystem::path& folder, std::size_t frames, 
 /// @throws InputOutputError naming the path and the reason
 void write_field_files(const std::filesystem::path& folder, const observe::Film& film, const FieldOrigin& origin = {});
 
-/// Where the view of frame k of an array is: "/frames/3/matrix/position" for "/matrix/position".
-std::string frame_path(std::size_t k, std::string_view name);
-
 /// fields.xdmf: for ParaView, which reads the arrays of fields.h5 beside it. Grids `matrix` (points), `outline` (a
 /// closed line a cell) and `anchors` (points), at their times [s]; there are no anchors at times without an adhesion.
 /// Names views, since not every reader of XDMF chooses a part of an array.

@@ -5,7 +5,7 @@
 #include "observe/readout_table.hpp"
 #include "parameters/schema.hpp"
 #include "parameters/version.hpp"
-#include "run/readouts_of_tables.hpp"
+#include "run/finished_run.hpp"
 #include "run/run_record.hpp"
 #include "run/stopped_run.hpp"
 #include "statistics/distributions.hpp"

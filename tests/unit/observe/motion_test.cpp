@@ -1,6 +1,6 @@
 #include "base/random.hpp"
-#include "observe/displacement_statistics.hpp"
 #include "observe/group.hpp"
+#include "observe/readouts.hpp"
 #include "observe/tracks.hpp"
 #include "state/cortex.hpp"
 

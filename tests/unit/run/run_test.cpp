@@ -4,7 +4,7 @@
 #include "observe/readout_table.hpp"
 #include "run/cadence.hpp"
 #include "run/estimate.hpp"
-#include "run/readouts_of_tables.hpp"
+#include "run/finished_run.hpp"
 #include "run/run_record.hpp"
 
 #include <gtest/gtest.h>
