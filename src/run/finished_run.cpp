@@ -19,9 +19,7 @@
 #include <cmath>
 #include <iterator>
 #include <optional>
-#include <string>
 #include <variant>
-#include <vector>
 
 namespace matrigrate::run {
 

@@ -66,36 +66,36 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The checkpoints around a time.
-struct Around {
-  std::optional<FoundCheckpoint> before; ///< closest before it; none: the start
-  std::optional<double> after;           ///< time of the first one after it [s]
-  std::set<std::string> programs;        ///< that wrote any of them
+/// What a branch goes on from.
+struct Origin {
+  double t;                              ///< asked for, or that of the last checkpoint [s]
+  std::string place;                     ///< what names t: that checkpoint or "--at"
+  std::optional<FoundCheckpoint> before; ///< the checkpoint that is closest before t; none: the start
+  std::optional<double> after{};         ///< time of the first one after it [s]
+  std::set<std::string> programs{};      ///< that wrote any of them
 };
 
-/// The checkpoints of a run on the way of a longer one around t [s]. Warns of those that cannot be read.
-Around checkpoints_around(const fs::path& folder, double t, RunObserver& observer) {
+/// Finds the checkpoints of a run on the way of a longer one around t. Warns of those that cannot be read.
+void look_around(const fs::path& folder, RunObserver& observer, Origin& origin) {
   std::vector<fs::path> files{folder / store::checkpoint_name, folder / store::previous_checkpoint_name};
   std::error_code error;
   for (const fs::directory_entry& entry : fs::directory_iterator(folder / "checkpoints", error))
     if (entry.path().extension() == ".h5") files.push_back(entry.path());
-  Around around;
   for (const fs::path& file : files) {
     if (!fs::exists(file, error)) continue;
     try {
       FoundCheckpoint found = read_checkpoint_of(folder, file);
       const double at = found.checkpoint.state.t;
-      around.programs.insert(found.checkpoint.program);
+      origin.programs.insert(found.checkpoint.program);
       if (is_shortened_end(found)) continue;
-      if (at > t * (1.0 + 1e-12))
-        around.after = std::min(at, around.after.value_or(at));
-      else if (!around.before || at > around.before->checkpoint.state.t)
-        around.before = std::move(found);
+      if (at > origin.t * (1.0 + 1e-12))
+        origin.after = std::min(at, origin.after.value_or(at));
+      else if (!origin.before || at > origin.before->checkpoint.state.t)
+        origin.before = std::move(found);
     } catch (const InputOutputError& trouble) { // an earlier one will do
       observer.warn(fmt::format("{}; it is not used", trouble.what()));
     }
   }
-  return around;
 }
 
 /// The start rules but for those on fields: a branch cannot change them, and its checkpoint holds their values, so that
@@ -109,21 +109,15 @@ std::span<const Rule> rules_without_fields() {
   return rules;
 }
 
-/// What a branch goes on from.
-struct Origin {
-  double t;          ///< asked for, or that of the last checkpoint [s]
-  std::string place; ///< what names t: that checkpoint or "--at"
-  Around around;     ///< checkpoints around t
-};
-
 Origin origin_of(const fs::path& folder, const BranchOptions& how, RunObserver& observer) {
-  if (how.at) return {.t = *how.at, .place = "--at", .around = checkpoints_around(folder, *how.at, observer)};
-  FoundCheckpoint last = last_checkpoint(folder, how.previous);
-  Origin origin{.t = last.checkpoint.state.t, .place = last.file.string(), .around = {}};
-  if (is_shortened_end(last))
-    origin.around = checkpoints_around(folder, origin.t, observer);
-  else
-    origin.around.before = std::move(last);
+  Origin origin{.t = how.at.value_or(0.0), .place = "--at", .before = {}};
+  if (!how.at) {
+    FoundCheckpoint last = last_checkpoint(folder, how.previous);
+    origin.t = last.checkpoint.state.t;
+    origin.place = last.file.string();
+    if (!is_shortened_end(last)) origin.before = std::move(last);
+  }
+  if (!origin.before) look_around(folder, observer, origin);
   return origin;
 }
 
@@ -173,7 +167,7 @@ double begin_of(const BranchOptions& how, const Origin& origin, const Parameters
 /// A branch without a checkpoint before it computes the past of its run anew. Warns if another build computed that.
 /// @throws ConfigurationError if a program with another model did, or other parameters: the past would be another
 void require_own_past(const fs::path& from, const Json& record, const Origin& origin, RunObserver& observer) {
-  std::set<std::string> programs = origin.around.programs;
+  std::set<std::string> programs = origin.programs;
   for (std::string& program : programs_of(record)) programs.insert(std::move(program));
   programs.erase(version_line());
   const std::string none = fmt::format("{} has no checkpoint at {} or before", from.string(), time_text(origin.t));
@@ -183,12 +177,11 @@ void require_own_past(const fs::path& from, const Json& record, const Origin& or
                                  none, time_text(at), event.value("from", "the run it came from")));
   for (const std::string& program : programs)
     if (const std::string model = model_text(version_of_program(program)); !model.empty())
-      refuse("--at",
-             fmt::format("{}, so that its past would be computed anew; {} computed it, and {}. {}", none, program,
-                         model,
-                         origin.around.after
-                             ? fmt::format("--at \"{:.6g} s\" or later begins from a checkpoint", *origin.around.after)
-                             : "No later checkpoint is left: only that version can make the branch"));
+      refuse("--at", fmt::format("{}, so that its past would be computed anew; {} computed it, and {}. {}", none,
+                                 program, model,
+                                 origin.after
+                                     ? fmt::format("--at \"{:.6g} s\" or later begins from a checkpoint", *origin.after)
+                                     : "No later checkpoint is left: only that version can make the branch"));
   if (!programs.empty())
     observer.warn(fmt::format("{}: its past, computed by {}, is computed anew by {}, and the bits may differ", none,
                               fmt::join(programs, " and "), version_line()));
@@ -224,7 +217,7 @@ RunOutcome branch(const fs::path& from, const BranchOptions& how, const RunOptio
   require_computable(before, from);
   const Json record = record_of(from);
   const Origin origin = origin_of(from, how, observer);
-  const std::optional<FoundCheckpoint>& found = origin.around.before;
+  const std::optional<FoundCheckpoint>& found = origin.before;
   const auto parameters_from = [&](double t) { // what holds then, with the changes to come
     Parameters p = apply_overrides(in_force(before, t), how.overrides, found ? rules_without_fields() : start_rules());
     if (auto faults = faults_of_change(before, p, "--set"); !faults.empty())

@@ -164,15 +164,11 @@ struct StateReader {
 
 State state_from(const std::string& text, const MemoryFile* file) {
   require_shallow(text);
-  State s;
-  try {
+  return understood("the state", [&] {
+    State s;
     StateReader{file}(s, Json::parse(text), "");
-  } catch (const Json::exception& error) {
-    throw InputOutputError(fmt::format("the state cannot be read: {}", error.what()));
-  } catch (const std::invalid_argument& error) {
-    throw InputOutputError(fmt::format("the state cannot be read: {}", error.what()));
-  }
-  return s;
+    return s;
+  });
 }
 
 /// True if each array has n entries, or is empty where an empty array is allowed.
@@ -196,17 +192,16 @@ void require_consistent(const State& s) {
            && has_entries(cell.nucleus, cell.nucleus.size());
   });
   if (n == 0 || !has_entries(s.ecm, n) || !lags || !cells || !knows_before)
-    throw std::invalid_argument("its arrays do not match in length");
+    throw InputOutputError("its arrays do not match in length");
   for (const Cell& cell : s.cells)
     for (const Protrusion& p : cell.protrusions)
-      if (p.centre >= cell.cortex.size())
-        throw std::invalid_argument("the centre of a protrusion is not on the cortex");
+      if (p.centre >= cell.cortex.size()) throw InputOutputError("the centre of a protrusion is not on the cortex");
   for (const MatrixField& field : matrix_field_table)
     if (!std::ranges::all_of(s.ecm.*field.member, [&](double a) { return std::isfinite(a) && field.allowed(a); }))
-      throw std::invalid_argument(fmt::format("{} of its matrix is out of range", field.name));
+      throw InputOutputError(fmt::format("{} of its matrix is out of range", field.name));
   if (!std::isfinite(s.ecm.V0) || !std::isfinite(s.ecm.period_x))
-    throw std::invalid_argument("the area or the period of its matrix is not a number");
-  if (!(std::isfinite(s.t) && s.t >= 0.0)) throw std::invalid_argument("its time is negative or not finite");
+    throw InputOutputError("the area or the period of its matrix is not a number");
+  if (!(std::isfinite(s.t) && s.t >= 0.0)) throw InputOutputError("its time is negative or not finite");
 }
 
 } // namespace
@@ -229,21 +224,16 @@ State parse_state_parts(const std::string& text) { return state_from(text, nullp
 
 Checkpoint parse_checkpoint(std::string_view image, const std::string& name) {
   const std::string_view content = checked_content(image, name);
-  try {
+  return naming(name, [&] {
     const MemoryFile file(content);
-    Checkpoint checkpoint;
-    checkpoint.state = state_from(file.text("/state.json"), &file);
+    Checkpoint checkpoint{.state = state_from(file.text("/state.json"), &file),
+                          .scenario = file.text("/scenario.toml"),
+                          .configuration_hash = file.text("/configuration_hash"),
+                          .program = file.text("/program"),
+                          .memory = file.text("/memory.json")};
     require_consistent(checkpoint.state);
-    checkpoint.scenario = file.text("/scenario.toml");
-    checkpoint.configuration_hash = file.text("/configuration_hash");
-    checkpoint.program = file.text("/program");
-    checkpoint.memory = file.text("/memory.json");
     return checkpoint;
-  } catch (const std::invalid_argument& error) {
-    throw InputOutputError(fmt::format("{}: {}", name, error.what()));
-  } catch (const InputOutputError& error) {
-    throw InputOutputError(fmt::format("{}: {}", name, error.what()));
-  }
+  });
 }
 
 namespace {

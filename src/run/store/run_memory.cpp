@@ -28,17 +28,7 @@ std::string table_at(const std::filesystem::path& file, std::size_t bytes, const
   return text;
 }
 
-/// What `read` returns. @throws InputOutputError also where something is missing or of another type
-template <class Read>
-auto understood(const Read& read) {
-  try {
-    return read();
-  } catch (const Json::exception& error) {
-    throw InputOutputError(fmt::format("what the run has written so far cannot be read: {}", error.what()));
-  } catch (const std::invalid_argument& error) {
-    throw InputOutputError(fmt::format("what the run has written so far cannot be read: {}", error.what()));
-  }
-}
+constexpr std::string_view so_far = "what the run has written so far";
 
 } // namespace
 
@@ -59,7 +49,7 @@ std::string to_text(const RunMemory& memory) {
 
 void require_whole_tables(const std::string& text, const std::filesystem::path& folder) {
   require_shallow(text);
-  understood([&] {
+  understood(so_far, [&] {
     const Json json = Json::parse(text);
     for (const auto& [name, mark] : json.at("tables").items()) {
       const std::filesystem::path file = folder / name;
@@ -72,7 +62,7 @@ void require_whole_tables(const std::string& text, const std::filesystem::path& 
 
 RunMemory parse_memory(const std::string& text, const std::filesystem::path& folder) {
   require_shallow(text);
-  return understood([&] {
+  return understood(so_far, [&] {
     const Json json = Json::parse(text); // earlier versions kept drawings as well, which nobody reads
     RunMemory memory;
     const Json &watch = json.at("watch"), &counts = json.at("counts");

@@ -1,9 +1,6 @@
 #include "tables/state_json.hpp"
 
-#include "base/failure.hpp"
 #include "base/file.hpp"
-
-#include <fmt/format.h>
 
 #include <string>
 

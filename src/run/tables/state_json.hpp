@@ -1,11 +1,14 @@
 #pragma once
 
+#include "base/failure.hpp"
 #include "state/protrusion.hpp"
 
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <cstddef>
 #include <cstdint>
+#include <exception>
 #include <filesystem>
 #include <stdexcept>
 #include <string_view>
@@ -37,6 +40,22 @@ Json parse_json_object(std::string_view text);
 /// The JSON object of a file.
 /// @throws InputOutputError naming the file, if it cannot be read, is no JSON, no object, or has too many levels
 Json read_json_object(const std::filesystem::path& file, std::size_t max_bytes);
+
+/// What `read` makes of JSON.
+/// @throws InputOutputError "what cannot be read: ...", also where something is missing or of another type
+template <class Read>
+auto understood(std::string_view what, const Read& read) {
+  const auto refuse = [what](const std::exception& error) {
+    return InputOutputError(fmt::format("{} cannot be read: {}", what, error.what()));
+  };
+  try {
+    return read();
+  } catch (const Json::exception& error) {
+    throw refuse(error);
+  } catch (const std::invalid_argument& error) {
+    throw refuse(error);
+  }
+}
 
 /// An integer that T can hold. @throws std::invalid_argument if it is none
 template <class T>
