@@ -321,7 +321,7 @@ std::string summary_csv(std::span<const CellResult> cells) {
   return cells_csv(cells, std::move(columns), [](const CellResult& cell) {
     std::vector<Field> row;
     for (const NamedValue& v : named_values(cell.readouts)) row.push_back(v.value);
-    return std::vector{row};
+    return std::vector<std::vector<Field>>{row};
   });
 }
 
