@@ -126,7 +126,9 @@ TEST(Fields, OfAStretchedGelWithAHoleOfFluid) {
   const std::vector<double> stress = fibre_stress_field(ecm, fibres, network);
   for (std::size_t i = 0; i < ecm.size(); ++i) {
     EXPECT_EQ(std::isnan(stress[i]), ecm.f[i] == 0.0);
-    if (ecm.f[i] > 0.0) EXPECT_GT(stress[i], 1e-3);
+    if (ecm.f[i] > 0.0) {
+      EXPECT_GT(stress[i], 1e-3);
+    }
   }
   EXPECT_TRUE(std::isnan(fibre_stress_field(ecm, fibres, FibreNetwork()).front()));
 }
