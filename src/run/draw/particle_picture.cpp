@@ -148,8 +148,9 @@ struct Tick {
   std::string label;
 };
 
-/// Multiples of a round step in [low, high]: at most `most` + 1 of them, all labelled to the same number of digits.
-std::vector<Tick> linear_ticks(double low, double high, int most) {
+/// Multiples of a round step in [low, high]: at most 8 of them, all labelled to the same number of digits.
+std::vector<Tick> linear_ticks(double low, double high) {
+  constexpr int most = 7; // steps
   const RoundNumber step = round_number((high - low) / most);
   const double first = std::ceil(low / step.value() - slack);
   const double last = std::floor(high / step.value() + slack);
@@ -176,7 +177,7 @@ struct ColourScale {
     const double share = std::clamp((value - low) / (high - low), 0.0, 1.0);
     return std::min(static_cast<int>(share * colour_levels), colour_levels - 1);
   }
-  std::vector<Tick> ticks() const { return linear_ticks(low, high, 7); }
+  std::vector<Tick> ticks() const { return linear_ticks(low, high); }
   /// Of the widest tick label [pixel].
   double label_width() const {
     double width = 0.0;

@@ -95,6 +95,19 @@ double parting_index(std::span<const CellResult> cells, const CellResult& own) {
   return way > 0.0 ? (away_x * dx + away_y * dy) / way : undefined;
 }
 
+/// Centres at multiples of the interval from the first row on; empty if one of them is missing in between.
+std::vector<Vec2> sampled(std::span<const TrackRow> rows, double interval) {
+  std::vector<Vec2> centres;
+  const double tolerance = 1e-6 * interval;
+  for (const TrackRow& row : rows) {
+    const double next = rows.front().t + interval * static_cast<double>(centres.size());
+    if (row.t < next - tolerance) continue;
+    if (row.t > next + tolerance) return {};
+    centres.push_back(row.centre);
+  }
+  return centres;
+}
+
 } // namespace
 
 double share_of_low_forces(std::span<const double> relative_forces) {
@@ -189,23 +202,6 @@ std::vector<CellResult> cell_results(const State& s, std::span<const TrackRow> r
   add_group(all, group);
   return all;
 }
-
-namespace {
-
-/// Centres at multiples of the interval from the first row on; empty if one of them is missing in between.
-std::vector<Vec2> sampled(std::span<const TrackRow> rows, double interval) {
-  std::vector<Vec2> centres;
-  const double tolerance = 1e-6 * interval;
-  for (const TrackRow& row : rows) {
-    const double next = rows.front().t + interval * static_cast<double>(centres.size());
-    if (row.t < next - tolerance) continue;
-    if (row.t > next + tolerance) return {};
-    centres.push_back(row.centre);
-  }
-  return centres;
-}
-
-} // namespace
 
 std::vector<MsdPoint> mean_square_displacement(std::span<const TrackRow> rows, double interval) {
   tracks::Track track;

@@ -204,6 +204,17 @@ void require_consistent(const State& s) {
   if (!(std::isfinite(s.t) && s.t >= 0.0)) throw InputOutputError("its time is negative or not finite");
 }
 
+/// The bytes of a file of the promised length.
+std::string image_of(const std::filesystem::path& file) {
+  const std::string start = read_start(file, block); // before all of a large file is read
+  require_readable(start, file.string());
+  std::error_code error;
+  const std::uintmax_t size = std::filesystem::file_size(file, error);
+  if (!error && size >= block && !start.starts_with(promise_of(size - block)))
+    throw InputOutputError(fmt::format("{}: {}", file.string(), other_length));
+  return read_file(file, max_checkpoint_bytes);
+}
+
 } // namespace
 
 std::string checkpoint_image(const Checkpoint& checkpoint) {
@@ -235,21 +246,6 @@ Checkpoint parse_checkpoint(std::string_view image, const std::string& name) {
     return checkpoint;
   });
 }
-
-namespace {
-
-/// The bytes of a file of the promised length.
-std::string image_of(const std::filesystem::path& file) {
-  const std::string start = read_start(file, block); // before all of a large file is read
-  require_readable(start, file.string());
-  std::error_code error;
-  const std::uintmax_t size = std::filesystem::file_size(file, error);
-  if (!error && size >= block && !start.starts_with(promise_of(size - block)))
-    throw InputOutputError(fmt::format("{}: {}", file.string(), other_length));
-  return read_file(file, max_checkpoint_bytes);
-}
-
-} // namespace
 
 Checkpoint read_checkpoint(const std::filesystem::path& file) {
   return parse_checkpoint(image_of(file), file.string());

@@ -39,6 +39,14 @@ std::string take_field(std::string_view& text, std::size_t line) {
   }
 }
 
+double number_at(std::string_view field, std::size_t line, std::string_view column) {
+  try {
+    return csv_number(field);
+  } catch (const InputOutputError& error) {
+    throw InputOutputError(fmt::format("line {}, column {}: {}", line, column, error.what()));
+  }
+}
+
 } // namespace
 
 std::optional<std::size_t> CsvTable::column(std::string_view name) const {
@@ -81,18 +89,6 @@ double csv_number(std::string_view field) {
     throw InputOutputError(fmt::format("\"{}\" is no number", field.substr(0, 40)));
   return value;
 }
-
-namespace {
-
-double number_at(std::string_view field, std::size_t line, std::string_view column) {
-  try {
-    return csv_number(field);
-  } catch (const InputOutputError& error) {
-    throw InputOutputError(fmt::format("line {}, column {}: {}", line, column, error.what()));
-  }
-}
-
-} // namespace
 
 Table read_table(std::string_view text) {
   const CsvTable read = read_csv(text);

@@ -195,6 +195,17 @@ constexpr std::array<TableColumn<ProtrusionRow>, 13> protrusion_table{{
     {"cause", [](const ProtrusionRow& row) -> Field { return name(row.r.cause); }},
 }};
 
+/// A table with the rows of all cells. @param rows_of  a cell gives its rows
+template <class RowsOf>
+std::string cells_csv(std::span<const CellResult> cells, std::vector<std::string_view> columns, const RowsOf& rows_of) {
+  const bool several = cells.size() > 1;
+  if (several) columns = with_cell(std::move(columns));
+  std::string text = csv_line({columns.begin(), columns.end()});
+  for (const CellResult& cell : cells)
+    for (const std::vector<Field>& row : rows_of(cell)) text += csv_line(several ? with_cell(cell.cell, row) : row);
+  return text;
+}
+
 } // namespace
 
 std::vector<std::string_view> track_columns(bool nucleus) { return names_of(track_table_of(nucleus)); }
@@ -226,21 +237,6 @@ std::vector<std::string_view> with_cell(std::vector<std::string_view> columns) {
   columns.insert(columns.begin(), "cell");
   return columns;
 }
-
-namespace {
-
-/// A table with the rows of all cells. @param rows_of  a cell gives its rows
-template <class RowsOf>
-std::string cells_csv(std::span<const CellResult> cells, std::vector<std::string_view> columns, const RowsOf& rows_of) {
-  const bool several = cells.size() > 1;
-  if (several) columns = with_cell(std::move(columns));
-  std::string text = csv_line({columns.begin(), columns.end()});
-  for (const CellResult& cell : cells)
-    for (const std::vector<Field>& row : rows_of(cell)) text += csv_line(several ? with_cell(cell.cell, row) : row);
-  return text;
-}
-
-} // namespace
 
 std::string protrusions_csv(std::span<const CellResult> cells, const Parameters& p) {
   return cells_csv(cells, protrusion_columns(), [&](const CellResult& cell) {

@@ -20,6 +20,18 @@ void check_length(const Table& table, const std::vector<double>& row) {
         fmt::format("a row of {} numbers does not fit a table of {} columns", row.size(), table.columns.size()));
 }
 
+struct Text {
+  std::string operator()(double value) const { return std::isnan(value) ? std::string() : fmt::format("{}", value); }
+  std::string operator()(std::uint64_t value) const { return fmt::format("{}", value); }
+  std::string operator()(std::string_view value) const { return csv_text(value); }
+};
+
+/// The text, which begins with the header.
+std::string& begun(std::string& text, const std::vector<std::string_view>& columns) {
+  if (text.empty()) text = csv_line({columns.begin(), columns.end()});
+  return text;
+}
+
 } // namespace
 
 void Table::add(std::vector<double> row) {
@@ -46,22 +58,6 @@ std::string to_csv(const Table& table) {
   }
   return out;
 }
-
-namespace {
-
-struct Text {
-  std::string operator()(double value) const { return std::isnan(value) ? std::string() : fmt::format("{}", value); }
-  std::string operator()(std::uint64_t value) const { return fmt::format("{}", value); }
-  std::string operator()(std::string_view value) const { return csv_text(value); }
-};
-
-/// The text, which begins with the header.
-std::string& begun(std::string& text, const std::vector<std::string_view>& columns) {
-  if (text.empty()) text = csv_line({columns.begin(), columns.end()});
-  return text;
-}
-
-} // namespace
 
 std::string csv_line(const std::vector<Field>& fields) {
   std::string line;
