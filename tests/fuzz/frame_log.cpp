@@ -1,8 +1,8 @@
 #include "target.hpp"
 
+#include "../unit/store/logs.hpp"
 #include "base/failure.hpp"
 #include "store/deflate.hpp"
-#include "../unit/store/logs.hpp"
 
 #include <xxhash.h>
 

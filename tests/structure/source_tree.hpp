@@ -12,7 +12,7 @@ namespace matrigrate::structure {
 
 /// A file of src/.
 struct Source {
-  std::string path; ///< as it is included: "draw/svg.hpp"
+  std::string path; ///< as it is included: "draw/text_plot.hpp"
   std::string text;
   std::string wing{}; ///< the folder of src/ that holds the library, "run", or nothing where that is src/ itself
   std::string folder() const { return path.substr(0, path.find('/')); }
@@ -45,7 +45,7 @@ Graph closure(const Graph& edges);
 /// numbers stay.
 std::string code_only(std::string_view text, bool keep_strings = false);
 
-/// A place that breaks a rule: "draw/svg.cpp:12: what is wrong".
+/// A place that breaks a rule: "draw/text_plot.cpp:12: what is wrong".
 using Findings = std::vector<std::string>;
 
 /// Includes of headers in folders that are not allowed, or not named by their path from src/.

@@ -140,8 +140,7 @@ TEST(RunPage, LimitsLeaveOutFewSolidValues) {
     frame.matrix.f_degr.push_back(i < 9000 ? 1.0F : 0.0F);
   }
   frame.matrix.pressure[17] = 1e9F;
-  const Limits limits =
-      usual_limits(film, &observe::MatrixFrame::pressure);
+  const Limits limits = usual_limits(film, &observe::MatrixFrame::pressure);
   EXPECT_EQ(limits.low, 0.0);
   EXPECT_NEAR(limits.high, 8996.0, 2.0) << "neither the one that stands out nor the fluid";
 }
