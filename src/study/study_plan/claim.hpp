@@ -1,6 +1,6 @@
 #pragma once
 
-#include "observe/displacement_statistics.hpp"
+#include "observe/readouts.hpp"
 #include "statistics/compare.hpp"
 
 #include <cstdint>
