@@ -70,16 +70,6 @@ double slope(double gap, const CellContactParameters& p) {
   return (gap < p.repulsion_range + 0.5 * p.adhesion_range ? 2.0 : -2.0) * p.adhesion / p.adhesion_range;
 }
 
-/// Integral of cell_pressure() from a gap to infinity [kPa um].
-double work(double gap, const CellContactParameters& p) {
-  const double bond = 0.5 * p.adhesion * p.adhesion_range;
-  if (gap < p.repulsion_range)
-    return 0.5 * p.repulsion / p.repulsion_range * (p.repulsion_range - gap) * (p.repulsion_range - gap) - bond;
-  if (gap >= cell_reach(p)) return 0.0;
-  const double along = (gap - p.repulsion_range) / p.adhesion_range; // from 0 to 1
-  return along < 0.5 ? -bond * (1.0 - 2.0 * along * along) : -2.0 * bond * (1.0 - along) * (1.0 - along);
-}
-
 } // namespace
 
 double cell_pressure(double gap, const CellContactParameters& p) {
@@ -105,12 +95,6 @@ std::vector<CellTouch> cell_touches(std::span<const Cell> cells, double reach) {
         found.push_back({k, i, other, near->segment, near->s, near->distance, near->normal});
   }
   return found;
-}
-
-double cell_contact_energy(std::span<const CellTouch> touches, const Parameters& p) {
-  double sum = 0.0;
-  for (const CellTouch& t : touches) sum += work(t.gap, p.contact.cells);
-  return half_area(p) * sum;
 }
 
 void add_cell_contact(const State& s, std::span<const CellTouch> touches, const Parameters& p, double dt,

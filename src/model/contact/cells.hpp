@@ -36,9 +36,6 @@ double cell_reach(const CellContactParameters& p);
 /// @param reach  [um], > 0
 std::vector<CellTouch> cell_touches(std::span<const Cell> cells, double reach);
 
-/// Work against cell_pressure() over all touches, from cells that are far apart [nN um].
-double cell_contact_energy(std::span<const CellTouch> touches, const Parameters& p);
-
 /// Adds cell_pressure() times half of l_0,init t_z along the normal to each particle, and its reaction to the ends of
 /// the segment: both cortices of a contact carry half of it. Linearly implicit along the normal where the pressure
 /// falls with the gap.

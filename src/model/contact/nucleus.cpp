@@ -53,16 +53,6 @@ std::vector<NucleusTouch> nucleus_touches(const Cell& cell, const NucleusParamet
   return found;
 }
 
-double nucleus_contact_energy(std::span<const NucleusTouch> touches, const Parameters& p) {
-  const NucleusParameters& n = p.nucleus;
-  double sum = 0.0;
-  for (const NucleusTouch& t : touches) {
-    const double in = n.repulsion_range - t.gap;
-    sum += half_area(t, p) * 0.5 * n.repulsion / n.repulsion_range * in * in;
-  }
-  return sum;
-}
-
 void add_nucleus_contact(const Cell& cell, std::span<const NucleusTouch> touches, const Parameters& p, double dt,
                          std::uint32_t cortex, std::uint32_t nucleus, std::span<Vec2> force, DragSystem& A) {
   for (const NucleusTouch& t : touches) {

@@ -30,9 +30,6 @@ double nucleus_pressure(double gap, const NucleusParameters& n);
 /// than twice that; none without a nucleus. First those of the nucleus, in ascending order.
 std::vector<NucleusTouch> nucleus_touches(const Cell& cell, const NucleusParameters& n);
 
-/// Work against nucleus_pressure() over all touches [nN um].
-double nucleus_contact_energy(std::span<const NucleusTouch> touches, const Parameters& p);
-
 /// Adds nucleus_pressure() times half of a particle's area, l_0,init t_z, along the normal to each particle, and its
 /// reaction to the ends of the segment. Linearly implicit along the normal.
 /// @param cortex, nucleus  nodes of their particles 0   @param dt  [s]   @param force  of all nodes [nN]

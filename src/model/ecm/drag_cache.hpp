@@ -42,11 +42,8 @@ public:
   void assemble(const EcmState& ecm, const EcmParameters& p, const VerletList& neighbours, std::span<const Vec2> x_drag,
                 double lag, double theta, DragSystem& A);
 
-  /// Positions at which assemble() evaluated the drag [um].
-  const std::vector<Vec2>& x_drag() const { return m_x_drag; }
-
-  /// Gives them away: x_drag() is of no use until the next assemble().
-  void give_x_drag(std::vector<Vec2>& to) { std::swap(to, m_x_drag); }
+  /// Positions at which assemble() evaluated the drag [um]; it does not need them again.
+  std::vector<Vec2>& x_drag() { return m_x_drag; }
 
 private:
   std::vector<std::uint8_t> refresh_pattern(const VerletList& neighbours, std::span<const std::uint8_t> clamped);

@@ -93,7 +93,7 @@ std::optional<StepTooLong> crossing(const State& s, double dt, std::span<const V
 /// Makes v the velocities of matrix and cells.
 void accept(State& s, Workspace& w) {
   std::swap(s.solver_memory.v_before, w.v_now);
-  w.drag_cache.give_x_drag(s.solver_memory.x_drag);
+  std::swap(s.solver_memory.x_drag, w.drag_cache.x_drag());
   set_node_velocities(s, w.v);
 }
 

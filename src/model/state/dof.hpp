@@ -28,9 +28,6 @@ std::size_t cortex_particles(const State& s);
 /// Whether a node is a particle of the matrix.
 inline bool in_matrix(const State& s, std::size_t node) { return node < s.ecm.size(); }
 
-/// Whether a node moves as prescribed.
-inline bool is_clamped(const State& s, std::size_t node) { return in_matrix(s, node) && s.ecm.clamped[node] != 0; }
-
 /// Position of a node [um].
 const Vec2& node_position(const State& s, std::size_t node);
 

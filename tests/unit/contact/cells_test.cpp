@@ -111,12 +111,32 @@ TEST(CellContact, ObeysTheThirdLawToRoundOff) {
   EXPECT_LT(std::abs(torque), 1e-12 * magnitude);
 }
 
+namespace {
+
+/// Integral of cell_pressure(), which is linear between its corners, from a gap to infinity [kPa um].
+double work(double gap, const CellContactParameters& law) {
+  double sum = 0.0;
+  for (const double corner :
+       {0.0, law.repulsion_range, law.repulsion_range + 0.5 * law.adhesion_range, cell_reach(law)}) {
+    if (corner <= gap) continue;
+    sum += 0.5 * (corner - gap) * (cell_pressure(gap, law) + cell_pressure(corner, law));
+    gap = corner;
+  }
+  return sum;
+}
+
+} // namespace
+
 TEST(CellContact, IsMinusTheGradientOfItsEnergy) {
   const Parameters p = sticky();
   for (const double distance : {29.8, 30.4, 31.5}) {
     State s = cells_at(p, {{0.0, 0.0}, {distance, 1.0}});
     const std::vector<Vec2> force = contact_forces(s, p).force;
-    const auto energy = [&] { return cell_contact_energy(cell_touches(s.cells, cell_reach(p.contact.cells)), p); };
+    const auto energy = [&] {
+      double sum = 0.0;
+      for (const CellTouch& t : cell_touches(s.cells, cell_reach(p.contact.cells))) sum += work(t.gap, p.contact.cells);
+      return 0.5 * initial_segment_length(p.cell) * p.ecm.thickness * sum;
+    };
     const double h = 1e-6;
     for (Cell& cell : s.cells)
       for (std::size_t i = 0; i < cell.cortex.size(); i += 3)

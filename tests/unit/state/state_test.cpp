@@ -39,7 +39,6 @@ TEST(Nodes, AreTheMatrixAndThenTheCellsInTheirOrder) {
     EXPECT_EQ(node_position(s, node).x(), static_cast<double>(node));
     EXPECT_EQ(v[node].x(), 10.0 + static_cast<double>(node));
     EXPECT_EQ(in_matrix(s, node), node < 2);
-    EXPECT_EQ(is_clamped(s, node), node == 1);
   }
 }
 
