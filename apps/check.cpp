@@ -47,10 +47,9 @@ struct Finding {
 /// The set of closures of a scenario or of the base of a study, and what to know about them and about the model.
 void look_at_model(const Parameters& p, Finding& found) {
   const Closures closures = closures_of(p);
-  found.closures = closures_text(closures);
-  const std::string of_set = closures_note(closures);
-  found.noted = !of_set.empty();
-  for (const std::string& note : {of_set, run::note_of_scenario(p), run::note_of_drag(p)})
+  found.closures = closures.text;
+  found.noted = !closures.note.empty();
+  for (const std::string& note : {closures.note, run::note_of_scenario(p), run::note_of_drag(p)})
     if (!note.empty()) found.notes.push_back(note);
   for (std::string& note : law_notes(p)) found.notes.push_back(std::move(note));
   for (const ChangeWords& change : words_of_changes(p)) found.notes.push_back(to_text(change));
@@ -103,7 +102,7 @@ void print_finding(const Finding& found) {
   if (!found.faults.empty()) return;
   print(fmt::format("{}: {}{}\n", found.file, coloured("good", Colour::good, Stream::out),
                     found.study ? " study: " + found.size : ""));
-  if (!found.noted && found.closures != closures_text(closures_of({})))
+  if (!found.noted && found.closures != closures_of({}).text)
     print(fmt::format("{}: closures: {}\n", found.file, found.closures));
   for (const std::string& note : found.notes) print(fmt::format("{}: {}\n", found.file, note));
 }

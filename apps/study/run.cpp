@@ -225,8 +225,7 @@ int run_study(const StudyOptions& options) {
   make_study_folder(study);
   const FolderLock lock(study.folder, FolderLock::Kind::alone);
   write_study(study);
-  for (const std::string& note :
-       {closures_note(closures_of(study.study.base)), run::note_of_scenario(study.study.base)})
+  for (const std::string& note : {closures_of(study.study.base).note, run::note_of_scenario(study.study.base)})
     if (!note.empty()) print_warning(note);
   tell_gone(options, study);
   std::vector<std::size_t> all(study.runs.size());

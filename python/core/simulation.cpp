@@ -4,8 +4,8 @@
 
 #include "base/failure.hpp"
 #include "cell/geometry.hpp"
+#include "parameters/assign.hpp"
 #include "parameters/closures.hpp"
-#include "parameters/judge.hpp"
 #include "parameters/laws/constants.hpp"
 #include "parameters/read.hpp"
 #include "run/cadence.hpp"

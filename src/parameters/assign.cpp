@@ -1,23 +1,21 @@
 #include "parameters/assign.hpp"
 
+#include "parameters/changes.hpp"
 #include "parameters/document.hpp"
 #include "parameters/laws/constants.hpp"
 #include "parameters/nearest.hpp"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <concepts>
 #include <stdexcept>
+#include <utility>
 
 namespace matrigrate {
 
 namespace {
-
-using Integer = int& (*)(Parameters&);
-using Large = std::uint64_t& (*)(Parameters&);
-using Flag = bool& (*)(Parameters&);
-using Text = std::string& (*)(Parameters&);
-using Constants = std::vector<LawConstant>& (*)(Parameters&);
 
 /// The default, as an example of what can be written.
 std::string example(const Row& row) { return value_text(row, Parameters{}); }
@@ -32,10 +30,6 @@ std::string wrong_type(const Row& row, const Given& given) {
 std::string out_of_range(const Row& row, std::string_view shown) {
   const std::string unit = row.unit == "deg" ? fmt::format(" {}", row.unit) : "";
   return fmt::format("{} is out of range; allowed is {}{}", shown, allowed_text(row), unit);
-}
-
-bool within(const Range& range, double value, double low, double high) {
-  return (range.low_allowed ? value >= low : value > low) && (range.high_allowed ? value <= high : value < high);
 }
 
 /// A real number and its unit, as typed.
@@ -82,32 +76,28 @@ Typed typed_string(const Row& row, const std::string& text) {
 
 /// @throws std::invalid_argument saying what is wrong
 Typed typed(const Row& row, const Given& given) {
-  const units::Unit unit = unit_of(row);
   if (const auto* text = std::get_if<std::string>(&given.value)) return typed_string(row, *text);
-  std::string number;
-  if (const auto* whole = std::get_if<std::int64_t>(&given.value))
-    number = fmt::format("{}", *whole);
-  else if (const auto* real = std::get_if<double>(&given.value)) {
-    if (!std::isfinite(*real)) throw std::invalid_argument(fmt::format("{} is not a finite number", *real));
-    number = fmt::format("{}", *real);
-  } else
-    throw std::invalid_argument(wrong_type(row, given));
-  return {number, unit, row.unit == "1" ? number : fmt::format("{} {}", number, row.unit)};
+  const std::string number = digits_of(given);
+  if (number.empty()) throw std::invalid_argument(wrong_type(row, given));
+  if (const auto* real = std::get_if<double>(&given.value); real != nullptr && !std::isfinite(*real))
+    throw std::invalid_argument(fmt::format("{} is not a finite number", number));
+  return {number, unit_of(row), row.unit == "1" ? number : fmt::format("{} {}", number, row.unit)};
 }
 
-std::string assign_real(const Row& row, const Given& given, double& parameter) {
+std::string set(const Row& row, const Given& given, double& parameter) {
   try {
     const Typed t = typed(row, given);
-    const units::Unit unit = unit_of(row);
     double value = 0.0;
     try {
       value = units::to_internal(t.number, t.unit);
     } catch (const std::invalid_argument&) {
       return out_of_range(row, t.shown); // beyond any double
     }
-    if (!std::isinf(row.range.low)
-        && !within(row.range, value, units::to_internal(row.range.low, unit), units::to_internal(row.range.high, unit)))
-      return out_of_range(row, t.shown);
+    Row internal = row;
+    if (!std::isinf(row.range.low))
+      for (double* bound : {&internal.range.low, &internal.range.high})
+        *bound = units::to_internal(*bound, unit_of(row));
+    if (!in_range(internal, value)) return out_of_range(row, t.shown);
     parameter = value;
     return {};
   } catch (const std::invalid_argument& error) {
@@ -124,44 +114,35 @@ std::string not_whole(const Row& row, const std::string& text) {
   return fmt::format("is a string; write a whole number without quotes, such as {}", example(row));
 }
 
-template <class Whole>
-std::string assign_whole(const Row& row, const Given& given, Whole& parameter) {
+template <std::integral Whole>
+std::string set(const Row& row, const Given& given, Whole& parameter) {
   if (std::holds_alternative<double>(given.value))
     return fmt::format("has a decimal point or an exponent; write a whole number, such as {}", example(row));
   if (const auto* text = std::get_if<std::string>(&given.value)) return not_whole(row, *text);
   const auto* value = std::get_if<std::int64_t>(&given.value);
   if (value == nullptr) return wrong_type(row, given);
-  if (!within(row.range, static_cast<double>(*value), row.range.low, row.range.high))
-    return out_of_range(row, fmt::format("{}", *value));
+  if (!in_range(row, static_cast<double>(*value))) return out_of_range(row, fmt::format("{}", *value));
   parameter = static_cast<Whole>(*value);
   return {};
 }
 
-std::string assign_flag(const Row& row, const Given& given, bool& parameter) {
+std::string set(const Row& row, const Given& given, bool& parameter) {
   const auto* value = std::get_if<bool>(&given.value);
   if (value == nullptr) return fmt::format("is {}; write {}, without quotes", given.type, allowed_text(row));
   parameter = *value;
   return {};
 }
 
-std::string assign_text(const Row& row, const Given& given, std::string& parameter) {
-  if (kind(row) == Kind::law) { // a number is a formula
-    if (const auto* whole = std::get_if<std::int64_t>(&given.value)) {
-      parameter = fmt::format("{}", *whole);
-      return {};
-    }
-    if (const auto* real = std::get_if<double>(&given.value)) {
-      parameter = fmt::format("{}", *real);
-      return {};
-    }
-  }
+std::string set(const Row& row, const Given& given, std::string& parameter) {
   const auto* text = std::get_if<std::string>(&given.value);
-  if (text == nullptr) return fmt::format("is {}; write {}, in quotes", given.type, allowed_text(row));
-  parameter = *text;
+  const std::string formula = kind(row) == Kind::law ? digits_of(given) : std::string(); // a number is one
+  if (text == nullptr && formula.empty())
+    return fmt::format("is {}; write {}, in quotes", given.type, allowed_text(row));
+  parameter = text == nullptr ? formula : *text;
   return {};
 }
 
-std::string assign_constants(const Row& row, const Given& given, std::vector<LawConstant>& constants) {
+std::string set(const Row& row, const Given& given, std::vector<LawConstant>& constants) {
   const auto* text = std::get_if<std::string>(&given.value);
   if (text == nullptr) return fmt::format("is {}; write {}, in quotes", given.type, allowed_text(row));
   try {
@@ -172,7 +153,7 @@ std::string assign_constants(const Row& row, const Given& given, std::vector<Law
   }
 }
 
-std::string assign_choice(const Row& row, const Given& given, const Choice& choice, Parameters& p) {
+std::string set_choice(const Row& row, const Given& given, const Choice& choice, Parameters& p) {
   const auto* name = std::get_if<std::string>(&given.value);
   if (name == nullptr) return fmt::format("is {}; write {}", given.type, allowed_text(row));
   for (std::size_t i = 0; i < choice.names.size(); ++i)
@@ -187,15 +168,23 @@ std::string assign_choice(const Row& row, const Given& given, const Choice& choi
 
 } // namespace
 
+std::string digits_of(const Given& given) {
+  if (const auto* whole = std::get_if<std::int64_t>(&given.value)) return fmt::format("{}", *whole);
+  if (const auto* real = std::get_if<double>(&given.value)) return fmt::format("{}", *real);
+  return {};
+}
+
 std::string assign(const Row& row, const Given& given, Parameters& p) {
-  if (double* real = real_of(row, p)) return assign_real(row, given, *real);
-  if (std::holds_alternative<OneConstant>(row.member)) return unknown_constant(row.path, p);
-  if (const auto* integer = std::get_if<Integer>(&row.member)) return assign_whole(row, given, (*integer)(p));
-  if (const auto* large = std::get_if<Large>(&row.member)) return assign_whole(row, given, (*large)(p));
-  if (const auto* flag = std::get_if<Flag>(&row.member)) return assign_flag(row, given, (*flag)(p));
-  if (const auto* text = std::get_if<Text>(&row.member)) return assign_text(row, given, (*text)(p));
-  if (const auto* constants = std::get_if<Constants>(&row.member)) return assign_constants(row, given, (*constants)(p));
-  return assign_choice(row, given, std::get<Choice>(row.member), p);
+  if (double* real = real_of(row, p)) return set(row, given, *real);
+  if (const auto* choice = std::get_if<Choice>(&row.member)) return set_choice(row, given, *choice, p);
+  return std::visit(
+      [&](const auto& member) {
+        if constexpr (requires { member(p); })
+          return set(row, given, member(p));
+        else
+          return unknown_constant(row.path, p);
+      },
+      row.member);
 }
 
 std::string_view type_of(const toml::node& node) {
@@ -227,6 +216,27 @@ Given given_by(const toml::node& node) {
   else if (const auto* text = node.as_string())
     given.value = text->get();
   return given;
+}
+
+Judged judged(std::string_view path, const Given& value) {
+  constexpr std::string_view change = "changes.";
+  const bool changes = path.starts_with(change) && path != change_time().path;
+  if (changes) path.remove_prefix(change.size());
+  const auto of_cells = std::ranges::find(cell_rows(), path, &Row::path);
+  const Row* row = path == change_time().path      ? &change_time()
+                   : of_cells == cell_rows().end() ? find_row(path)
+                                                   : &*of_cells;
+  if (row == nullptr) return {unknown_name(path, false)};
+  Parameters p;
+  if (std::string reason = changes ? fixed_in_run(*row, p) : ""; !reason.empty()) return {std::move(reason)};
+  std::string fault = assign(*row, value, p);
+  const double* real = real_of(*row, p);
+  if (!fault.empty() || real == nullptr) return {std::move(fault)};
+  return {{}, units::number_in(*real, unit_of(*row))};
+}
+
+std::string unknown_name(std::string_view path, bool section) {
+  return fmt::format("there is no such {}{}", section ? "section" : "parameter", parameter_hint(path));
 }
 
 } // namespace matrigrate

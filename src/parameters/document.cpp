@@ -20,36 +20,32 @@ bool is_after_equals(std::string_view text, std::uint32_t line, std::uint32_t co
   return text.substr(0, std::min<std::size_t>(column, text.find('\n'))).find('=') != std::string_view::npos;
 }
 
-bool is_control_character(char c) {
-  const auto code = static_cast<unsigned char>(c);
-  return (code < 0x20 && c != '\t' && c != '\n' && c != '\r') || code == 0x7f;
+bool is_control(char c) {
+  const auto byte = static_cast<unsigned char>(c);
+  return (byte < 0x20 && c != '\t' && c != '\n' && c != '\r') || byte == 0x7f;
 }
 
 } // namespace
 
 std::optional<Fault> fault_of_texts(const toml::node& node, const std::string& name) {
-  std::optional<Fault> found;
-  if (const auto* text = node.as_string()) {
-    const auto at = std::ranges::find_if(text->get(), is_control_character);
-    if (at != text->get().end()) {
-      const auto place = node.source().begin;
-      found = Fault{name, static_cast<int>(place.line), static_cast<int>(place.column), "",
-                    fmt::format("a text holds the control character U+{:04X}; programs would read what stands before "
-                                "it alone, or differ in what they read",
-                                static_cast<unsigned>(static_cast<unsigned char>(*at)))};
-    }
-  } else if (const auto* table = node.as_table()) {
+  if (const auto* table = node.as_table())
     for (const auto& [key, value] : *table)
-      if (!found) found = fault_of_texts(value, name);
-  } else if (const auto* array = node.as_array()) {
+      if (auto fault = fault_of_texts(value, name)) return fault;
+  if (const auto* array = node.as_array())
     for (const toml::node& value : *array)
-      if (!found) found = fault_of_texts(value, name);
-  }
-  return found;
+      if (auto fault = fault_of_texts(value, name)) return fault;
+  const std::string text = node.value_or(std::string());
+  const auto at = std::ranges::find_if(text, is_control);
+  if (at == text.end()) return std::nullopt;
+  const auto place = node.source().begin;
+  return Fault{name, static_cast<int>(place.line), static_cast<int>(place.column), "",
+               fmt::format("a text holds the control character U+{:04X}; programs would read what stands before "
+                           "it alone, or differ in what they read",
+                           static_cast<unsigned>(static_cast<unsigned char>(*at)))};
 }
 
 std::variant<toml::table, Fault> parse_document(std::string_view text, const std::string& name) {
-  if (const auto finding = unreadable(text)) return Fault{name, finding->line, finding->column, "", finding->message};
+  if (std::optional<Fault> fault = unreadable(text, name)) return *std::move(fault);
   if (text.starts_with("\xef\xbb\xbf")) text.remove_prefix(3); // a byte order mark is no character of the first line
   try {
     toml::table table = toml::parse(text);
@@ -88,69 +84,23 @@ namespace {
 constexpr int deepest = 32;
 constexpr int max_dotted_keys = 50'000;
 
-/// Follows strings, comments and brackets of a TOML text, byte by byte. On a text that is not valid TOML it agrees with
-/// a parser up to the first error, which is as far as the parser goes.
-class Follower {
-public:
-  /// Moves over text[i] and what belongs to it. @return index of the next byte
-  std::size_t over(std::string_view text, std::size_t i) {
-    const char c = text[i];
-    if (c == '\n') return end_line(i);
-    if (m_in == In::comment) return i + 1;
-    if (m_in != In::plain) return over_string(text, i);
-    if (c == '#') m_in = In::comment;
-    if (c == '"' || c == '\'') return open_string(text, i);
-    if (c == '[' || c == '{') ++m_brackets;
-    if (c == ']' || c == '}') m_brackets = std::max(0, m_brackets - 1);
-    if (c == '.') ++m_dots;
-    if (c == '=' && m_dots > 0) ++m_dotted_keys;
-    if (std::string_view("[]{},=#").find(c) != std::string_view::npos) m_dots = 0;
-    return i + 1;
+/// The end of a comment or string of a TOML text that begins at a place; of any other byte the next one. On a text that
+/// is not valid TOML it agrees with a parser up to the first error, which is as far as the parser goes.
+std::size_t end_of(std::string_view text, std::size_t at) {
+  const char quote = text[at];
+  if (quote == '#') return std::min(text.find('\n', at), text.size());
+  if (quote != '"' && quote != '\'') return at + 1;
+  const std::size_t closing = text.substr(at).starts_with(std::string(3, quote)) ? 3 : 1;
+  std::size_t i = at + closing;
+  while (i < text.size() && (closing == 3 || text[i] != '\n')) {
+    const std::string_view ahead = text.substr(i, closing == 3 ? 5 : 1); // two may stand before the three that close
+    const std::size_t quotes = std::min(ahead.find_first_not_of(quote), ahead.size());
+    if (quotes >= closing) return i + quotes;
+    const bool escapes = quote == '"' && text[i] == '\\' && text.substr(i + 1, 1) != "\n";
+    i += escapes ? 2 : std::max<std::size_t>(quotes, 1);
   }
-
-  bool too_deep() const { return m_brackets > deepest || m_dots > deepest; }
-  bool too_dotted() const { return m_dotted_keys > max_dotted_keys; }
-
-private:
-  enum class In { plain, comment, basic, literal, long_basic, long_literal };
-
-  std::size_t end_line(std::size_t i) {
-    if (m_in != In::long_basic && m_in != In::long_literal) m_in = In::plain;
-    m_dots = 0;
-    return i + 1;
-  }
-
-  std::size_t open_string(std::string_view text, std::size_t i) {
-    const bool basic = text[i] == '"';
-    const bool is_long = text.substr(i).starts_with(basic ? "\"\"\"" : "'''");
-    if (is_long)
-      m_in = basic ? In::long_basic : In::long_literal;
-    else
-      m_in = basic ? In::basic : In::literal;
-    return i + (is_long ? 3 : 1);
-  }
-
-  std::size_t over_string(std::string_view text, std::size_t i) {
-    const bool basic = m_in == In::basic || m_in == In::long_basic;
-    const bool is_long = m_in == In::long_basic || m_in == In::long_literal;
-    const char quote = basic ? '"' : '\'';
-    if (basic && text[i] == '\\' && i + 1 < text.size() && text[i + 1] != '\n') return i + 2;
-    if (text[i] != quote) return i + 1;
-    if (!is_long) {
-      m_in = In::plain;
-      return i + 1;
-    }
-    std::size_t run = 0; // up to two quotes may stand before the three that close
-    while (run < 5 && i + run < text.size() && text[i + run] == quote) ++run;
-    if (run >= 3) m_in = In::plain;
-    return i + run;
-  }
-
-  In m_in = In::plain;
-  int m_brackets = 0;
-  int m_dots = 0; ///< since the last character that ends a dotted key
-  int m_dotted_keys = 0;
-};
+  return i;
+}
 
 /// Bytes of the UTF-8 character that starts the text; 0 if it is none.
 std::size_t character_length(std::string_view text) {
@@ -167,41 +117,43 @@ std::size_t character_length(std::string_view text) {
   return overlong || no_character ? 0 : length;
 }
 
-bool is_control(char c) {
-  const auto byte = static_cast<unsigned char>(c);
-  return (byte < 0x20 && c != '\t' && c != '\n' && c != '\r') || byte == 0x7f;
-}
-
 } // namespace
 
-std::optional<Finding> unreadable(std::string_view text) {
-  int line = 1;
-  int column = 1;
-  const auto found = [&](std::string message) { return Finding{line, column, std::move(message)}; };
+std::optional<Fault> unreadable(std::string_view text, const std::string& name) {
+  const auto fault_at = [&](std::size_t place, std::string message) {
+    const std::string_view before = text.substr(0, place);
+    const auto goes_on = [](char c) { return (static_cast<unsigned char>(c) & 0xc0U) == 0x80; };
+    const std::string_view line = before.substr(before.rfind('\n') + 1); // npos + 1 is 0
+    const auto characters = std::ssize(line) - std::ranges::count_if(line, goes_on);
+    return Fault{name, static_cast<int>(std::ranges::count(before, '\n')) + 1, static_cast<int>(characters) + 1, "",
+                 std::move(message)};
+  };
   for (std::size_t i = 0; i < text.size();) { // bytes first: a rubbish file has no brackets worth speaking of
     const std::size_t length = character_length(text.substr(i));
     if (length == 0 || is_control(text[i]))
-      return found(fmt::format("is not a text file: byte 0x{:02x} is no character of UTF-8 text", text[i] & 0xff));
-    column = text[i] == '\n' ? 1 : column + 1;
-    line += text[i] == '\n' ? 1 : 0;
+      return fault_at(i,
+                      fmt::format("is not a text file: byte 0x{:02x} is no character of UTF-8 text", text[i] & 0xff));
     i += length;
   }
-  Follower follower;
-  line = 1;
-  std::size_t line_start = 0;
-  for (std::size_t i = 0; i < text.size();) {
-    const std::size_t next = follower.over(text, i);
-    column = static_cast<int>(i - line_start) + 1;
-    if (follower.too_deep()) return found(fmt::format("is nested deeper than {} levels", deepest));
-    if (follower.too_dotted())
-      return found(fmt::format("has more than {} dotted keys; write sections", max_dotted_keys));
-    for (; i < next; ++i)
-      if (text[i] == '\n') {
-        ++line;
-        line_start = i + 1;
-      }
+  int brackets = 0, dotted_keys = 0, dots = 0; // dots since the last character that ends a dotted key
+  for (std::size_t i = 0; i < text.size(); i = end_of(text, i)) {
+    const char c = text[i];
+    if (c == '[' || c == '{') ++brackets;
+    if (c == ']' || c == '}') brackets = std::max(0, brackets - 1);
+    if (c == '.') ++dots;
+    if (c == '=' && dots > 0) ++dotted_keys;
+    if (std::string_view("[]{},=#\n").find(c) != std::string_view::npos) dots = 0;
+    if (brackets > deepest || dots > deepest)
+      return fault_at(i, fmt::format("is nested deeper than {} levels", deepest));
+    if (dotted_keys > max_dotted_keys)
+      return fault_at(i, fmt::format("has more than {} dotted keys; write sections", max_dotted_keys));
   }
   return std::nullopt;
+}
+
+std::string_view trimmed(std::string_view text) {
+  const std::size_t first = text.find_first_not_of(" \t");
+  return first == std::string_view::npos ? "" : text.substr(first, text.find_last_not_of(" \t") - first + 1);
 }
 
 std::string excerpt(std::string_view text, std::size_t most) {

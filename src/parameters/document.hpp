@@ -31,20 +31,13 @@ std::string read_document(const std::filesystem::path& file, std::size_t max_byt
 /// Whether a table is that of a study, which varies a scenario: it has replicates, or something to vary.
 bool is_study(const toml::table& table);
 
-// What has to be known about the bytes of a TOML file before a parser sees them.
-// Test: tests/unit/parameters/hostile_test.cpp
-
-/// A finding in a text.
-struct Finding {
-  int line = 0;   ///< 1-based
-  int column = 0; ///< 1-based, in characters
-  std::string message;
-};
-
 /// The first thing for which a text is not given to the parser: bytes that are no text (control characters, invalid
 /// UTF-8), brackets and dotted keys nested so deeply that a recursive parser would run out of stack, or more than
 /// 50,000 dotted keys, among which the parser searches one by one.
-std::optional<Finding> unreadable(std::string_view text);
+std::optional<Fault> unreadable(std::string_view text, const std::string& name);
+
+/// Without the blanks and tabs around it.
+std::string_view trimmed(std::string_view text);
 
 /// A piece of a file for a message: control characters replaced, cut to `most` characters.
 std::string excerpt(std::string_view text, std::size_t most = 60);

@@ -24,42 +24,35 @@ std::size_t allowance(std::size_t length) { return std::max<std::size_t>(1, leng
 
 /// Words that people try, and what they mean here.
 struct Alias {
-  std::string_view word;     ///< alone or in one of the sections
-  std::string_view sections; ///< in which it means this, each between spaces
+  std::string_view words;    ///< alone or in one of the sections
+  std::string_view sections; ///< in which they mean this; these and the words each between spaces
   std::string_view path;     ///< of the parameter, or the name of the read-out
 };
 
-constexpr std::array aliases{Alias{"stiffness", " ecm matrix gel ", "ecm.youngs_modulus"},
-                             Alias{"elasticity", " ecm matrix gel ", "ecm.youngs_modulus"},
-                             Alias{"elastic_modulus", " ecm matrix gel ", "ecm.youngs_modulus"},
-                             Alias{"modulus", " ecm matrix gel ", "ecm.youngs_modulus"},
-                             Alias{"rigidity", " ecm matrix gel ", "ecm.youngs_modulus"},
-                             Alias{"domain_radius", " ecm matrix gel ", "ecm.radius"},
-                             Alias{"poisson_ratio", " ecm matrix gel ", "ecm.poissons_ratio"},
-                             Alias{"resolution", " ecm matrix gel ", "ecm.particle_spacing"},
-                             Alias{"hours", " run time simulation ", "run.duration"},
-                             Alias{"time", " run simulation ", "run.duration"},
-                             Alias{"end_time", " run time simulation ", "run.duration"},
-                             Alias{"dt", " run time simulation ", "run.time_step"},
-                             Alias{"step", " run time simulation ", "run.time_step"},
-                             Alias{"contraction", " cell actomyosin ", "actomyosin.force"},
-                             Alias{"contractility", " cell actomyosin ", "actomyosin.force"},
-                             Alias{"size", " cell ", "cell.radius"},
-                             Alias{"diameter", " cell ", "cell.radius"},
-                             Alias{"orientation", " fibres fibers ", "fibres.direction_deg"}};
+constexpr std::array aliases{
+    Alias{" stiffness elasticity elastic_modulus modulus rigidity ", " ecm matrix gel ", "ecm.youngs_modulus"},
+    Alias{" domain_radius ", " ecm matrix gel ", "ecm.radius"},
+    Alias{" poisson_ratio ", " ecm matrix gel ", "ecm.poissons_ratio"},
+    Alias{" resolution ", " ecm matrix gel ", "ecm.particle_spacing"},
+    Alias{" hours end_time ", " run time simulation ", "run.duration"},
+    Alias{" time ", " run simulation ", "run.duration"},
+    Alias{" dt step ", " run time simulation ", "run.time_step"},
+    Alias{" contraction contractility ", " cell actomyosin ", "actomyosin.force"},
+    Alias{" size diameter ", " cell ", "cell.radius"},
+    Alias{" orientation ", " fibres fibers ", "fibres.direction_deg"}};
 
 /// Words for what a run comes to, and the read-outs that tell it.
-constexpr std::array results{Alias{"speed", " cell ecm run migration ", "v_migr_abs_um_per_h"},
-                             Alias{"velocity", " cell ecm run migration ", "v_migr_abs_um_per_h"},
-                             Alias{"migration_speed", " cell ecm run migration ", "v_migr_abs_um_per_h"},
-                             Alias{"persistence", " cell ecm run migration ", "msd_slope"}};
+constexpr std::array results{
+    Alias{" speed velocity migration_speed ", " cell ecm run migration ", "v_migr_abs_um_per_h"},
+    Alias{" persistence ", " cell ecm run migration ", "msd_slope"}};
 
-std::optional<std::string> meant_by(std::string_view path, std::span<const Alias> words) {
-  const std::string_view word = last_part(path);
+std::optional<std::string> meant_by(std::string_view path, std::span<const Alias> known) {
+  const std::string word = fmt::format(" {} ", last_part(path)); // an exact word: no letters are forgiven
   const std::string section =
-      word.size() == path.size() ? std::string() : fmt::format(" {} ", path.substr(0, path.size() - word.size() - 1));
-  for (const Alias& alias : words) // an exact word: no letters are forgiven
-    if (alias.word == word && alias.sections.find(section) != std::string_view::npos) return std::string(alias.path);
+      path.find('.') == std::string::npos ? "" : fmt::format(" {} ", path.substr(0, path.rfind('.')));
+  for (const Alias& alias : known)
+    if (alias.words.find(word) != std::string_view::npos && alias.sections.find(section) != std::string_view::npos)
+      return std::string(alias.path);
   return std::nullopt;
 }
 
@@ -101,9 +94,8 @@ std::optional<std::string> nearest_readout(std::string_view typed, const std::ve
   if (auto near = nearest(typed, names)) return near;
   const auto begins = [&](const std::string& name) { return name.starts_with(fmt::format("{}_", typed)); };
   if (const auto found = std::ranges::find_if(names, begins); found != names.end()) return *found;
-  for (const Alias& alias : results)
-    if (alias.word == typed && std::ranges::find(names, alias.path) != names.end()) return std::string(alias.path);
-  return std::nullopt;
+  const auto result = typed.find('.') == std::string_view::npos ? meant_by(typed, results) : std::nullopt;
+  return result && std::ranges::find(names, *result) != names.end() ? result : std::nullopt;
 }
 
 std::optional<std::string> nearest_parameter(std::string_view path) {

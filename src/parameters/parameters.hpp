@@ -264,7 +264,7 @@ struct TimedChange {
 struct Origin {
   std::string version; ///< of the program that wrote the file, if its model is another (parameters/version.hpp)
   std::map<std::string, std::string, std::less<>> gone; ///< readings that no program of this version computes
-                                                        ///< (parameters/gone.hpp): path and value
+                                                        ///< (parameters/version.hpp): path and value
 };
 
 struct Parameters {

@@ -7,7 +7,6 @@
 #include "parameters/changes.hpp"
 #include "parameters/document.hpp"
 #include "parameters/fault_list.hpp"
-#include "parameters/gone.hpp"
 #include "parameters/laws/constants.hpp"
 #include "parameters/nearest.hpp"
 #include "parameters/schema.hpp"
@@ -30,15 +29,10 @@ namespace matrigrate {
 
 namespace {
 
-/// True for a picture of which the directions are taken.
-bool names_directions(const std::string& text) {
-  const auto words = fields::file_words(text);
-  return words && words->options.contains("direction");
-}
-
 const std::string command_line = "--set";
 constexpr std::string_view form_of_changes =
     "write [[changes]] and below it at = \"3 h\" and the parameters that change then";
+constexpr std::string_view form_of_cells = "write [[cells]] and below it x and y, for each cell";
 constexpr std::size_t max_changes = 1000;
 constexpr std::size_t largest_file = std::size_t{1} << 20;
 constexpr std::size_t longest_override = 4096;
@@ -54,22 +48,16 @@ struct Place {
   int column = 0;
 };
 
-/// Where a change was given.
+/// Where a time or a value of a change was given.
 struct ChangePlace {
   std::string key; ///< "changes[1]."
-  Place time;
-  Place value;
+  Place place;
 };
 
 /// Without a line on the command line.
 Place place_of(const std::string& file, const toml::source_region& source) {
   if (file == command_line) return {file};
   return {file, static_cast<int>(source.begin.line), static_cast<int>(source.begin.column)};
-}
-
-std::string trimmed(const std::string& text) {
-  const std::size_t first = text.find_first_not_of(" \t");
-  return first == std::string::npos ? "" : text.substr(first, text.find_last_not_of(" \t") - first + 1);
 }
 
 bool is_section(std::string_view path) {
@@ -108,16 +96,14 @@ public:
 
   void override_with(const std::string& text) {
     const std::size_t equals = text.find('=');
-    const std::string key = trimmed(text.substr(0, equals));
-    const auto complain = [&](const std::string& message) {
-      m_faults.add({command_line, 0, 0, excerpt(key, 80), message});
-    };
+    const std::string key(trimmed(std::string_view(text).substr(0, equals)));
+    const Place place{command_line};
+    const auto complain = [&](const std::string& message) { add(place, excerpt(key, 80), message); };
     if (equals == std::string::npos || key.empty()) return complain("is not of the form key=value");
     if (text.size() > longest_override) return complain(fmt::format("is longer than {} characters", longest_override));
-    const std::string value = trimmed(text.substr(equals + 1));
+    const std::string value(trimmed(std::string_view(text).substr(equals + 1)));
     const std::string toml = "value = " + value;
-    if (unreadable(toml)) return complain("is no text, or nested too deeply");
-    const Place place{command_line};
+    if (unreadable(toml, command_line)) return complain("is no text, or nested too deeply");
     try {
       const toml::table& table = m_documents.emplace_back(toml::parse(toml));
       if (const std::optional<Fault> fault = fault_of_texts(table, command_line)) return complain(fault->message);
@@ -127,23 +113,18 @@ public:
     take(key, toml::value<std::string>(value), place);
   }
 
+  /// @param more  rules besides rules(); nothing: none are judged
   /// @throws ConfigurationError if there was any fault
-  Parameters finish(std::span<const Rule> more) {
-    if (!m_refused) {
-      follow();
+  Parameters finish(const std::vector<std::string>& overrides, std::optional<std::span<const Rule>> more) {
+    for (const std::string& text : overrides) override_with(text);
+    if (!m_refused) follow();
+    if (!m_refused && more) {
       check_cells();
       check_rules(rules());
-      check_rules(more);
-      check_changes(more);
-      if (!more.empty()) check_gone();
+      check_rules(*more);
+      check_changes(*more);
+      if (!more->empty()) check_gone();
     }
-    m_faults.raise();
-    return m_parameters;
-  }
-
-  /// The same without rules.
-  Parameters finish() {
-    if (!m_refused) follow();
     m_faults.raise();
     return m_parameters;
   }
@@ -191,11 +172,9 @@ private:
 
   /// Who computes is refused what the program does not compute any more.
   void check_gone() {
-    for (Fault& fault : faults_of_gone(m_parameters, m_faults.file())) {
-      if (const auto given = m_given.find(fault.key); given != m_given.end())
-        std::tie(fault.file, fault.line, fault.column) =
-            std::tie(given->second.file, given->second.line, given->second.column);
-      m_faults.add(std::move(fault));
+    for (const auto& [path, value] : m_parameters.origin.gone) {
+      const auto given = m_given.find(path);
+      add(given == m_given.end() ? Place{m_faults.file()} : given->second, path, gone_text(value, *find_gone(path)));
     }
   }
 
@@ -223,11 +202,15 @@ private:
     m_faults.add(std::move(fault));
   }
 
+  void add(const Place& place, std::string key, std::string message, FaultList::Hint hint = {}) {
+    m_faults.add({place.file, place.line, place.column, std::move(key), std::move(message)}, std::move(hint));
+  }
+
   /// @param path  within a change that of its parameter
   void complain(const Place& place, const std::string& path, std::string message, FaultList::Hint hint = {}) {
     const std::string key = m_within + path;
     m_blamed.insert(m_within.empty() ? rule_key(path) : key);
-    m_faults.add({place.file, place.line, place.column, excerpt(key, 80), std::move(message)}, std::move(hint));
+    add(place, excerpt(key, 80), std::move(message), std::move(hint));
   }
 
   void visit(const toml::table& table, const std::string& section, const std::string& file) {
@@ -295,13 +278,19 @@ private:
     if (kind(*row) == Kind::constants && node.is_table()) return take_constants(*node.as_table(), place);
     std::string fault = assign(*row, given_by(node), m_parameters);
     if (fault.empty() && kind(*row) == Kind::field)
-      fault = complete_field(std::get<std::string& (*)(Parameters&)>(row->member)(m_parameters),
-                             place.file == command_line ? "" : std::filesystem::path(place.file).parent_path(),
-                             *m_parameters.grids);
-    if (fault.empty() && kind(*row) == Kind::field && row->unit != "deg"
-        && names_directions(std::get<std::string& (*)(Parameters&)>(row->member)(m_parameters)))
-      fault = "direction= takes the direction of fibres from a picture, which is for fibres.field.direction_deg";
-    if (!fault.empty()) complain(place, path, fault);
+      fault = complete(*row, place.file == command_line ? "" : std::filesystem::path(place.file).parent_path());
+    if (!fault.empty()) complain(place, path, std::move(fault));
+  }
+
+  /// What is wrong with the file that the text of a field names.
+  std::string complete(const Row& field, const std::filesystem::path& folder) {
+    std::string& text = std::get<Access<std::string>>(field.member)(m_parameters);
+    if (std::string fault = complete_field(text, folder, *m_parameters.grids); !fault.empty()) return fault;
+    const auto words = fields::file_words(text);
+    const bool of_directions = words && words->options.contains("direction");
+    return of_directions && field.unit != "deg"
+               ? "direction= takes the direction of fibres from a picture, which is for fibres.field.direction_deg"
+               : "";
   }
 
   /// All constants of the laws.
@@ -318,16 +307,60 @@ private:
     take(std::string(path), *toml::parse("value = " + value).get("value"), {m_faults.file()});
   }
 
+  /// [[cells]]; whether they have room, check_cells() tells.
   void take_cells(const toml::node& node, const Place& place) {
-    CellsRead read = read_cells(node);
-    m_parameters.cells = std::move(read.starts);
     m_given.insert_or_assign("cells", place);
+    m_parameters.cells.clear();
     m_cell_places.clear();
-    for (const toml::source_region& source : read.places) m_cell_places.push_back(place_of(place.file, source));
-    for (CellsRead::Fault& fault : read.faults) {
-      m_blamed.insert("cells");
-      complain(place_of(place.file, fault.place), fault.key, std::move(fault.message));
+    const toml::array* cells = node.as_array();
+    if (cells == nullptr)
+      return complain(place, "cells",
+                      fmt::format("is {}, but an array of tables is expected; {}", type_of(node), form_of_cells));
+    if (cells->empty())
+      return complain(
+          place, "cells",
+          fmt::format("is empty; leave it out for one cell at cell.start_x, cell.start_y, or {}", form_of_cells));
+    if (cells->size() > max_cells)
+      return complain(place, "cells", fmt::format("has {} cells; allowed are 1 to {}", cells->size(), max_cells));
+    for (std::size_t k = 0; k < cells->size(); ++k)
+      if (const toml::table* table = cells->get(k)->as_table())
+        take_cell(*table, cell_key(k), place.file);
+      else
+        blame_cell(place_of(place.file, cells->get(k)->source()), cell_key(k),
+                   fmt::format("is {}, but a table is expected; {}", type_of(*cells->get(k)), form_of_cells));
+  }
+
+  static std::string cell_key(std::size_t cell) { return fmt::format("cells[{}]", cell + 1); }
+
+  void blame_cell(const Place& place, const std::string& key, std::string message) {
+    m_blamed.insert("cells");
+    complain(place, key, std::move(message));
+  }
+
+  /// A cell, whose keys are those of cell_rows().
+  void take_cell(const toml::table& table, const std::string& cell, const std::string& file) {
+    Parameters one;
+    std::vector<std::string> keys;
+    for (const Row& row : cell_rows()) {
+      const std::string& key = keys.emplace_back(key_of(row));
+      const toml::node* node = table.get(key);
+      std::string fault = node == nullptr ? fmt::format("has no {0}; write it like {0} = \"40 um\"", key)
+                                          : assign(row, given_by(*node), one);
+      if (!fault.empty())
+        blame_cell(place_of(file, (node == nullptr ? table : *node).source()),
+                   node == nullptr ? cell : fmt::format("{}.{}", cell, key), std::move(fault));
     }
+    for (const auto& [name, node] : table) {
+      const std::string key(name.str());
+      if (std::ranges::find(keys, key) != keys.end()) continue;
+      const std::string hint = find_row("cell." + key) != nullptr
+                                   ? fmt::format("; all cells are alike, with cell.{} of the section [cell]", key)
+                                   : did_you_mean(nearest(key, keys));
+      blame_cell(place_of(file, name.source()), fmt::format("{}.{}", cell, excerpt(key, 60)),
+                 fmt::format("there is no such key; a cell has x and y{}", hint));
+    }
+    m_parameters.cells.push_back(one.cells.empty() ? CellStart{} : one.cells.front());
+    m_cell_places.push_back(place_of(file, table.source()));
   }
 
   /// What a change is called in faults.
@@ -395,8 +428,6 @@ private:
       complain(place_of(file, table.source()), "at",
                "nothing changes then; write below it a parameter with its new value, such as "
                "ecm.youngs_modulus = \"100 Pa\"");
-    const std::size_t before = changes.size();
-    const auto place_of_time = [&] { return place_of(file, table.get("at")->source()); };
     for (const auto& entry : given) {
       const std::string& path = entry.first;
       const Place& place = entry.second;
@@ -409,30 +440,26 @@ private:
       if (std::ranges::any_of(changes, is_same))
         complain(place, path, "has two values at one time; leave one of them out");
       changes.push_back({at, path, value_text(*row, now)});
-      m_change_places.push_back({m_within, place_of_time(), place});
+      m_change_places.push_back({m_within, place});
     }
-    if (changes.size() > before || !std::isfinite(at)) return;
-    m_bare_times.changes.push_back({at, {}, {}});
-    m_bare_places.push_back({m_within, place_of_time(), {}});
+    if (!std::isfinite(at)) return;
+    m_times.push_back({at, {}, {}});
+    m_time_places.push_back({m_within, place_of(file, table.get("at")->source())});
   }
 
   /// The faults of times, and the rules on the values from each of them on that these decide.
   void check_changes(std::span<const Rule> more) {
     const std::vector<TimedChange>& changes = m_parameters.changes;
-    const auto add = [&](const ChangePlace& given, Place ChangePlace::*which, const std::string& key,
-                         std::string message) {
-      const Place& place = given.*which;
-      m_faults.add({place.file, place.line, place.column, given.key + key, std::move(message)});
-    };
-    const auto place_of_change = [&](std::size_t k) {
-      return k < m_change_places.size() ? m_change_places[k] : ChangePlace{"changes.", {}, {}};
+    const auto blame = [&](const std::vector<ChangePlace>& places, std::size_t k, const std::string& key,
+                           std::string message) { // those of a set of parameters have no place
+      const ChangePlace given = k < places.size() ? places[k] : ChangePlace{"changes.", {}};
+      add(given.place, given.key + key, std::move(message));
     };
     if (!m_blamed.contains("run.duration") && !m_blamed.contains("run.time_step")) {
-      for (ChangeFault& fault : change_faults(m_parameters))
-        add(place_of_change(fault.change), &ChangePlace::time, "at", std::move(fault.message));
-      m_bare_times.run = m_parameters.run;
-      for (ChangeFault& fault : change_faults(m_bare_times))
-        add(m_bare_places[fault.change], &ChangePlace::time, "at", std::move(fault.message));
+      Parameters timed = m_parameters;
+      if (!m_times.empty()) timed.changes = m_times;
+      for (ChangeFault& fault : change_faults(timed))
+        blame(m_time_places, fault.change, "at", std::move(fault.message));
     }
     Judgement judgement = m_judgement; // what rests on rules that are broken before is not judged
     std::size_t first = 0;
@@ -448,8 +475,8 @@ private:
           if (is_blamed(rule, m_blamed) || is_blamed(rule, m_blamed_later)) continue;
           const std::string fault = judgement(rule, period.p, [&](const Rule& r) { return r.broken(period.p); });
           if (fault.empty()) continue;
-          add(place_of_change(k), &ChangePlace::value, changes[k].path,
-              fmt::format("from {} on: {}", period.when, said_of(rule, changes[k].path, fault)));
+          blame(m_change_places, k, changes[k].path,
+                fmt::format("from {} on: {}", period.when, said_of(rule, changes[k].path, fault)));
         }
       first = end;
     }
@@ -460,10 +487,8 @@ private:
     for (const std::string_view key : {"cells", "cell.radius", "ecm.radius", "contact.cells.repulsion_range"})
       if (m_blamed.contains(key)) return;
     if (m_cell_places.empty()) return;
-    for (CellFault& fault : cell_faults(m_parameters)) {
-      const Place& place = m_cell_places[fault.cell];
-      m_faults.add({place.file, place.line, place.column, cell_key(fault.cell), std::move(fault.message)});
-    }
+    for (CellFault& fault : cell_faults(m_parameters))
+      add(m_cell_places[fault.cell], cell_key(fault.cell), std::move(fault.message));
   }
 
   static bool is_blamed(const Rule& rule, const std::set<std::string, std::less<>>& keys) {
@@ -482,8 +507,7 @@ private:
       m_broken.insert(rule.name);
       const std::string key(key_to_blame(rule));
       const auto given = m_given.find(key);
-      const Place place = given == m_given.end() ? Place{} : given->second;
-      m_faults.add({place.file, place.line, place.column, key, said_of(rule, key, fault)});
+      add(given == m_given.end() ? Place{} : given->second, key, said_of(rule, key, fault));
     }
   }
 
@@ -516,8 +540,8 @@ private:
   const toml::array* m_changes = nullptr;            ///< the last [[changes]] of these
   std::string m_within;                              ///< "changes[1]." while that one is read
   std::vector<ChangePlace> m_change_places;          ///< of Parameters::changes, if they were given
-  Parameters m_bare_times;                           ///< with the times of changes none of whose values can be read
-  std::vector<ChangePlace> m_bare_places;            ///< of these
+  std::vector<TimedChange> m_times;                  ///< one of each table, whether its values can be read or not
+  std::vector<ChangePlace> m_time_places;            ///< of these
   std::set<std::string, std::less<>> m_blamed_later; ///< paths with a fault of their own in a change
 };
 
@@ -537,30 +561,24 @@ std::string complete_field(std::string& text, const std::filesystem::path& folde
 
 Parameters read_parameters(const std::filesystem::path& file, const std::vector<std::string>& overrides,
                            std::span<const Rule> more) {
-  Reader reader{Parameters{}, file.string()};
-  reader.read_text(read_document(file, largest_file));
-  for (const std::string& text : overrides) reader.override_with(text);
-  return reader.finish(more);
+  return parse_parameters(read_document(file, largest_file), file.string(), overrides, more);
 }
 
 Parameters read_unjudged(const std::filesystem::path& file) {
   Reader reader{Parameters{}, file.string()};
   reader.read_text(read_document(file, largest_file));
-  return reader.finish();
+  return reader.finish({}, std::nullopt);
 }
 
 Parameters parse_parameters(std::string_view text, const std::string& name, const std::vector<std::string>& overrides,
                             std::span<const Rule> more) {
   Reader reader{Parameters{}, name};
   reader.read_text(text);
-  for (const std::string& text_of_override : overrides) reader.override_with(text_of_override);
-  return reader.finish(more);
+  return reader.finish(overrides, more);
 }
 
 Parameters apply_overrides(const Parameters& p, const std::vector<std::string>& overrides, std::span<const Rule> more) {
-  Reader reader{p, command_line};
-  for (const std::string& text : overrides) reader.override_with(text);
-  return reader.finish(more);
+  return Reader{p, command_line}.finish(overrides, more);
 }
 
 } // namespace matrigrate

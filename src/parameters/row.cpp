@@ -1,13 +1,12 @@
 #include "parameters/changes.hpp"
 #include "parameters/laws/constants.hpp"
 #include "parameters/laws/law_names.hpp"
-#include "parameters/laws/law_units.hpp"
 #include "parameters/schema.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <numbers>
 
@@ -22,13 +21,6 @@ struct Match : Cases... {
 };
 template <class... Cases>
 Match(Cases...) -> Match<Cases...>;
-
-using Real = double& (*)(Parameters&);
-using Integer = int& (*)(Parameters&);
-using Large = std::uint64_t& (*)(Parameters&);
-using Flag = bool& (*)(Parameters&);
-using Text = std::string& (*)(Parameters&);
-using Constants = std::vector<LawConstant>& (*)(Parameters&);
 
 std::string quantity_text(const Row& row, double value) {
   if (row.unit == "rad")
@@ -64,9 +56,8 @@ std::string short_number(double value) {
 } // namespace
 
 const Row* find_row(std::string_view path) {
-  const auto rows = schema();
-  const auto row = std::find_if(rows.begin(), rows.end(), [&](const Row& r) { return r.path == path; });
-  return row == rows.end() ? nullptr : &*row;
+  const auto row = std::ranges::find(schema(), path, &Row::path);
+  return row == schema().end() ? nullptr : &*row;
 }
 
 const Row* find_row(std::string_view path, const Parameters& p) {
@@ -76,7 +67,7 @@ const Row* find_row(std::string_view path, const Parameters& p) {
 }
 
 double* real_of(const Row& row, Parameters& p) {
-  if (const auto* real = std::get_if<Real>(&row.member)) return &(*real)(p);
+  if (const auto* real = std::get_if<Access<double>>(&row.member)) return &(*real)(p);
   const auto* one = std::get_if<OneConstant>(&row.member);
   const auto found = std::ranges::find(p.laws.constants, one == nullptr ? "" : one->name, &LawConstant::name);
   return found == p.laws.constants.end() ? nullptr : &found->value;
@@ -85,11 +76,11 @@ double* real_of(const Row& row, Parameters& p) {
 Kind kind(const Row& row) {
   const bool angle = row.unit == "deg" || row.unit == "rad";
   const Kind real = angle ? Kind::angle : row.unit == "1" ? Kind::ratio : Kind::quantity;
-  return std::visit(Match{[&](Real) { return real; }, [](Integer) { return Kind::integer; },
-                          [](Large) { return Kind::integer; }, [](Flag) { return Kind::boolean; },
-                          [&](Text) { return section_of(row) == "laws" ? Kind::law : Kind::field; },
-                          [](const Choice&) { return Kind::choice; }, [](Constants) { return Kind::constants; },
-                          [&](const OneConstant&) { return real; }},
+  return std::visit(Match{[&](Access<double>) { return real; }, [](Access<bool>) { return Kind::boolean; },
+                          [&](Access<std::string>) { return section_of(row) == "laws" ? Kind::law : Kind::field; },
+                          [](const Choice&) { return Kind::choice; },
+                          [](Access<std::vector<LawConstant>>) { return Kind::constants; },
+                          [&](const OneConstant&) { return real; }, [](auto /*whole*/) { return Kind::integer; }},
                     row.member);
 }
 
@@ -111,18 +102,16 @@ std::string in_quotes(std::string_view text) {
 
 std::string value_text(const Row& row, const Parameters& parameters) {
   Parameters p = parameters; // the table's accessors give access to write
-  return std::visit(Match{[&](Real member) { return quantity_text(row, member(p)); },
-                          [&](Integer member) { return fmt::format("{}", member(p)); },
-                          [&](Large member) { return fmt::format("{}", member(p)); },
-                          [&](Flag member) { return fmt::format("{}", member(p)); },
-                          [&](Text member) { return in_quotes(member(p)); },
+  return std::visit(Match{[&](Access<double> member) { return quantity_text(row, member(p)); },
+                          [&](Access<std::string> member) { return in_quotes(member(p)); },
                           [&](const Choice& c) { return fmt::format("\"{}\"", c.names[c.index(p)]); },
-                          [&](Constants) { return in_quotes(constants_text(p)); },
+                          [&](Access<std::vector<LawConstant>>) { return in_quotes(constants_text(p)); },
                           [&](const OneConstant&) {
                             const double* value = real_of(row, p); // of none an example
                             return quantity_text(row,
                                                  value == nullptr ? units::to_internal(1.0, unit_of(row)) : *value);
-                          }},
+                          },
+                          [&](auto member) { return fmt::format("{}", member(p)); }},
                     row.member);
 }
 
@@ -150,7 +139,7 @@ std::string range_text(const LawVariable& argument) {
 }
 
 const std::string& text_of(const Row& row, const Parameters& p) {
-  return std::get<Text>(row.member)(const_cast<Parameters&>(p)); // the accessor only finds it
+  return std::get<Access<std::string>>(row.member)(const_cast<Parameters&>(p)); // the accessor only finds it
 }
 
 std::string before_text(const Row& row, const Parameters& p) {
@@ -167,28 +156,26 @@ bool counts(const Row& row, const Parameters& p) {
 }
 
 std::string allowed_text(const Row& row) {
-  if (kind(row) == Kind::boolean) return "true or false";
-  if (kind(row) == Kind::choice) {
-    std::string text;
-    for (const std::string_view name : std::get<Choice>(row.member).names)
-      text += fmt::format("{}\"{}\"", text.empty() ? "" : " or ", name);
-    return text;
-  }
-  if (kind(row) == Kind::constants) return "names with their values, such as \"F_c = 0.1 nN, n = 2\"";
+  const Kind k = kind(row);
+  if (k == Kind::boolean) return "true or false";
+  if (k == Kind::choice) return fmt::format("\"{}\"", fmt::join(std::get<Choice>(row.member).names, "\" or \""));
+  if (k == Kind::constants) return "names with their values, such as \"F_c = 0.1 nN, n = 2\"";
   const Range& range = row.range;
   if (std::isinf(range.low)) return row.unit == "1" ? "any number" : fmt::format("any number of {}", row.unit);
-  const bool field = kind(row) == Kind::field || kind(row) == Kind::law;
-  const std::string unit =
-      kind(row) == Kind::quantity || (field && row.unit != "1") ? fmt::format(" {}", row.unit) : "";
-  const std::string form = kind(row) == Kind::law ? formula_text(row)
-                           : field                ? "a formula in x and y, or a file (.csv, .png, .tif), of values "
-                                                  : "";
-  if (row.unit == "rad") // people think in degrees
-    return fmt::format("{} {:g} and {} {:g} deg", range.low_allowed ? ">=" : ">", range.low * 180.0 / std::numbers::pi,
-                       range.high_allowed ? "<=" : "<", range.high * 180.0 / std::numbers::pi);
-  return form
-         + fmt::format("{} {} and {} {}{}", range.low_allowed ? ">=" : ">", short_number(range.low),
-                       range.high_allowed ? "<=" : "<", short_number(range.high), unit);
+  const bool rad = row.unit == "rad"; // people think in degrees
+  const auto bound = [rad](double value) {
+    return rad ? fmt::format("{:g}", value * 180.0 / std::numbers::pi) : short_number(value);
+  };
+  const bool bare = row.unit == "1" || k == Kind::angle;
+  return fmt::format("{}{} {} and {} {}{}",
+                     k == Kind::law     ? formula_text(row)
+                     : k == Kind::field ? "a formula in x and y, or a file (.csv, .png, .tif), of values "
+                                        : "",
+                     range.low_allowed ? ">=" : ">", bound(range.low), range.high_allowed ? "<=" : "<",
+                     bound(range.high),
+                     rad    ? " deg"
+                     : bare ? ""
+                            : fmt::format(" {}", row.unit));
 }
 
 bool in_range(const Row& row, double value) {
@@ -198,25 +185,8 @@ bool in_range(const Row& row, double value) {
 }
 
 bool same(const Parameters& a, const Parameters& b) {
-  Parameters p = a;
-  Parameters q = b;
-  for (const Row& law : law_rows()) // in one spelling
-    if (const auto* text = std::get_if<Text>(&law.member)) {
-      (*text)(p) = law_meaning(law, a);
-      (*text)(q) = law_meaning(law, b);
-    }
-  const auto agrees = [&](const Row& row) {
-    return std::visit(Match{[&](Real member) {
-                              return std::bit_cast<std::uint64_t>(member(p)) == std::bit_cast<std::uint64_t>(member(q));
-                            },
-                            [&](const Choice& c) { return c.index(p) == c.index(q); },
-                            [&](Constants) { return constants_text(a) == constants_text(b); },
-                            [&](const OneConstant&) { return true; }, // no row of the schema
-                            [&](auto member) { return member(p) == member(q); }},
-                      row.member);
-  };
-  return std::ranges::all_of(schema(), agrees) && cells_text(a) == cells_text(b) && changes_text(a) == changes_text(b)
-         && a.origin.gone == b.origin.gone;
+  return std::ranges::none_of(schema(), [&](const Row& row) { return differs(row, a, b); })
+         && cells_text(a) == cells_text(b) && changes_text(a) == changes_text(b) && a.origin.gone == b.origin.gone;
 }
 
 std::vector<CellStart> cell_starts(const Parameters& p) {
@@ -225,16 +195,15 @@ std::vector<CellStart> cell_starts(const Parameters& p) {
 }
 
 std::string cells_text(const Parameters& p) {
-  std::string text;
+  std::vector<std::string> cells;
   Parameters one;
   for (const CellStart& start : p.cells) {
     one.cells.assign(1, start);
-    std::string keys;
-    for (const Row& row : cell_rows())
-      keys += fmt::format("{}{} = {}", keys.empty() ? "" : ", ", key_of(row), value_text(row, one));
-    text += fmt::format("{}{{ {} }}", text.empty() ? "" : ", ", keys);
+    std::vector<std::string> keys;
+    for (const Row& row : cell_rows()) keys.push_back(fmt::format("{} = {}", key_of(row), value_text(row, one)));
+    cells.push_back(fmt::format("{{ {} }}", fmt::join(keys, ", ")));
   }
-  return fmt::format("[{}]", text);
+  return fmt::format("[{}]", fmt::join(cells, ", "));
 }
 
 } // namespace matrigrate

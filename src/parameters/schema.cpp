@@ -9,6 +9,7 @@ namespace {
 
 constexpr std::string_view table_1 = "Heck et al. 2020, Table 1";
 constexpr std::string_view methods = "Heck et al. 2020, Methods";
+constexpr std::string_view paper = "Heck et al. 2020";
 constexpr std::string_view chosen = "this program";
 
 constexpr double max_seeds = 9007199254740991.0; // 2^53 - 1: every tool reads it back exactly
@@ -21,13 +22,14 @@ constexpr Range open(double low, double high) { return {low, high, false, false}
 constexpr Range above(double low, double high) { return {low, high, false, true}; } ///< (low, high]
 constexpr Range below(double low, double high) { return {low, high, true, false}; } ///< [low, high)
 constexpr Range none{};
+constexpr double half_turn = 3.141592653589793;
 
-/// Access is a captureless lambda that returns the member of the enumeration.
-template <class Access>
-constexpr Choice choice(Access, std::span<const std::string_view> names) {
-  return {names, [](Parameters& p) { return static_cast<std::size_t>(Access{}(p)); },
+/// @param member  a captureless lambda that returns the member of the enumeration
+template <class Enumeration>
+constexpr Choice choice(Enumeration /*member*/, std::span<const std::string_view> names) {
+  return {names, [](Parameters& p) { return static_cast<std::size_t>(Enumeration{}(p)); },
           [](Parameters& p, std::size_t index) {
-            auto& value = Access{}(p);
+            auto& value = Enumeration{}(p);
             value = static_cast<std::remove_reference_t<decltype(value)>>(index);
           }};
 }
@@ -37,7 +39,93 @@ constexpr std::array<std::string_view, 2> lattices{"square", "hexagonal"};
 constexpr std::array<std::string_view, 3> fibre_arrangements{"none", "isotropic", "uniaxial"};
 constexpr std::array<std::string_view, 2> solver_methods{"multigrid", "conjugate_gradient"};
 
+bool has_several(const Parameters& p) { return !p.cells.empty(); }
+bool has_nucleus(const Parameters& p) { return p.nucleus.radius != 0.0; }
+
+double& start_x(Parameters& p) { return (p.cells.empty() ? p.cells.emplace_back() : p.cells.back()).x; }
+double& start_y(Parameters& p) { return (p.cells.empty() ? p.cells.emplace_back() : p.cells.back()).y; }
+double& time_of_change(Parameters& p) { return (p.changes.empty() ? p.changes.emplace_back() : p.changes.back()).at; }
+
+/// @param before  the law of every version without these keys
+constexpr Row law(std::string_view path, Access<std::string> member, std::string_view unit, Range range,
+                  std::string_view source, std::string_view description, std::span<const LawVariable> arguments,
+                  std::span<const LawVariable> shared, std::string_view before) {
+  return {path, member, unit, range, "", source, description, optional, before, nullptr, arguments, shared};
+}
+
 // clang-format off
+constexpr std::array all_sections{
+    Section{"run", "The run: duration, time steps, random numbers"},
+    Section{"ecm", "The extracellular matrix"},
+    Section{"ecm.fields", "Fields of the matrix: properties that vary in space"},
+    Section{"fibres", "Strain-stiffening fibres of the matrix"},
+    Section{"fibres.field", "Fields of the fibres"},
+    Section{"cell", "The cell"},
+    Section{"contact", "Contact of cell and matrix"},
+    Section{"contact.cells", "Contact of cells with each other"},
+    Section{"nucleus", "The nucleus of the cell; off in the paper"},
+    Section{"actomyosin", "Contraction of the cortex"},
+    Section{"protrusion", "Initiation and growth of protrusions"},
+    Section{"adhesion", "Adhesion, maturation and disassembly"},
+    Section{"polarization", "Polarization of the cell"},
+    Section{"degradation", "Degradation of the matrix by the cell"},
+    Section{"cues", "Cues that bias where protrusions are initiated; off in the paper"},
+    Section{"laws", "Laws as formulas, in um, s, nN and Pa"},
+    Section{"output", "What a run writes, and how often"},
+    Section{"solver", "The linear system of every step"},
+};
+
+constexpr std::array strain{LawVariable{"eps", "", -0.5, 1.0, 0.1, -0.1, 0.3, "strain of the fibre"}};
+/// What the laws of a cell may use besides; those of no protrusion the first seven, that of f_mat all but the last.
+constexpr std::array of_the_place{LawVariable{"x", "um", -2000.0, 2000.0, 0.0, -100.0, 100.0, "where the law acts: particle of the cortex, tip of the protrusion, particle of the matrix, centre of the cell"},
+                                  LawVariable{"y", "um", -2000.0, 2000.0, 0.0, -100.0, 100.0, "the same"},
+                                  LawVariable{"time", "s", 0.0, 1e7, 3600.0, 0.0, 21600.0, "time since the run began"},
+                                  LawVariable{"density", "", 0.1, 10.0, 1.0, 0.8, 1.2, "density of the solid matrix around, over the initial one (without solid: 1)"},
+                                  LawVariable{"pressure", "Pa", -1e4, 1e4, 0.0, -100.0, 500.0, "pressure of the solid matrix around (without: 0)"},
+                                  LawVariable{"f_degr", "", 0.0, 1.0, 0.5, 0.0, 1.0, "intact fraction of the matrix around, with what is inside the cell"},
+                                  LawVariable{"stiffness", "Pa", 0.0, 1e7, 200.0, 0.0, 1000.0, "Young's modulus of the solid matrix around (without: 0)"},
+                                  LawVariable{"l", "um", 0.0, 100.0, 10.0, 0.0, 40.0, "length of the protrusion (elsewhere: 0)"},
+                                  LawVariable{"age", "s", 0.0, 1e5, 1200.0, 0.0, 7200.0, "time since the protrusion began (elsewhere: 0)"},
+                                  LawVariable{"t_mat", "s", 0.0, 1e5, 600.0, 0.0, 3600.0, "time since it matured (before, and elsewhere: 0)"},
+                                  LawVariable{"f_mat", "", 0.0, 1.0, 0.5, 0.0, 1.0, "maturation of the protrusion, growing: 0 (elsewhere: that of the body)"}};
+constexpr std::span all_shared{of_the_place};
+constexpr std::span without_f_mat = all_shared.first(10);
+constexpr std::span of_no_protrusion = all_shared.first(7);
+
+constexpr std::array segment{LawVariable{"kappa", "1/um", -5.0, 5.0, 0.0, -1.0, 1.0, "curvature of the cortex (convex: positive)"}};
+constexpr std::array strand{LawVariable{"f_mat", "", 0.0, 1.0, 0.5, 0.0, 1.0, "maturation of the strand, growing or maturing: 0"},
+                            LawVariable{"f_curv", "", 0.0, 1.0, 1.0, 0.0, 1.0, "curvature_factor there"},
+                            LawVariable{"kappa", "1/um", -5.0, 5.0, 0.0, -1.0, 1.0, "curvature of the cortex (convex: positive)"},
+                            LawVariable{"speed", "um/s", -10.0, 10.0, 0.0, -0.1, 0.2, "speed at which the segment shortens"}};
+constexpr std::array maturing{LawVariable{"steps", "", 0.0, 10.0, 3.0, 0.0, 10.0, "steps of maturation that are done"},
+                              LawVariable{"F", "nN", 0.0, 10.0, 0.3, 0.0, 1.5, "force of the adhesion"},
+                              LawVariable{"t", "s", 0.0, 1e5, 300.0, 0.0, 600.0, "time since the protrusion adhered, without the wait for its steps"}};
+constexpr std::array matured{LawVariable{"steps", "", 0.0, 11.0, 3.0, 0.0, 11.0, "steps, the running one included: whole while the protrusion matures, in the end by its part"}};
+constexpr std::array spring{LawVariable{"stretch", "um", 0.0, 10.0, 0.15, 0.0, 1.0, "length of the adhesion beyond its rest length"}};
+constexpr std::array adhesion{LawVariable{"F", "nN", 0.0, 10.0, 0.3, 0.0, 1.5, "force of the adhesion"},
+                              LawVariable{"f_mat", "", 0.01, 1.0, 0.5, 0.01, 1.0, "maturation of its protrusion"},
+                              LawVariable{"t", "s", 0.0, 1e5, 600.0, 0.0, 3600.0, "time since contraction began"}};
+constexpr std::array growth{LawVariable{"A", "", 0.1, 10.0, 1.0, 0.5, 3.0, "area of the cell over the initial one"},
+                            LawVariable{"l", "um", 0.0, 100.0, 10.0, 0.0, 40.0, "length of the protrusion"},
+                            LawVariable{"t", "s", 0.0, 1e5, 200.0, 0.0, 3600.0, "time since it began"},
+                            LawVariable{"speed", "um/s", -10.0, 10.0, 0.0, -0.05, 0.2, "speed of its tip along its direction"}};
+constexpr std::array place{LawVariable{"angle", "rad", -half_turn, half_turn, 0.0, -half_turn, half_turn, "angle to the polarization (before there is one: the mean of the law over all angles)"},
+                           LawVariable{"kappa", "1/um", -5.0, 5.0, 0.05, -1.0, 1.0, "curvature of the cortex (convex: positive)"},
+                           LawVariable{"occupancy", "", 0.0, 1.0, 0.5, 0.0, 1.0, "share of receptors that attractant occupies"},
+                           LawVariable{"ligand", "", 0.0, 100.0, 1.0, 0.0, 2.0, "ligand on the solid"},
+                           LawVariable{"alignment", "", -1.0, 1.0, 0.0, -1.0, 1.0, "alignment with the fibres (1: along, -1: across)"}};
+constexpr std::array turn{LawVariable{"angle", "rad", 0.0, half_turn, 0.5, 0.0, half_turn, "angle between the two"}};
+constexpr std::array matrix{LawVariable{"f", "", 0.0, 1.0, 1.0, 0.0, 1.0, "intact fraction of the matrix"},
+                            LawVariable{"p", "Pa", -1e4, 1e4, 100.0, -100.0, 500.0, "pressure"}};
+
+constexpr std::array rows_of_cells{
+    Row{"cells.x", start_x, "um", closed(-2000, 2000), "", chosen, "x of a cell's centre at the start"},
+    Row{"cells.y", start_y, "um", closed(-2000, 2000), "", chosen, "y of a cell's centre at the start"},
+};
+
+constexpr Row row_of_change{"changes.at", time_of_change, "h", above(0, 8760), "", chosen,
+                            "Time from which on the parameters below it hold; a multiple of run.time_step before run.duration"};
+
 constexpr std::array rows{
     Row{"run.duration", [](Parameters& p) -> double& { return p.run.duration; }, "h", above(0, 8760),
         "", methods, "Simulated time"},
@@ -151,6 +239,38 @@ constexpr std::array rows{
     Row{"contact.deepest_solid", [](Parameters& p) -> double& { return p.contact.deepest_solid; }, "um", above(0, 20),
         "", "MODEL.md, I13", "Depth inside the cell beyond which a solid particle becomes fluid at once", numerical},
 
+    Row{"contact.cells.repulsion", [](Parameters& p) -> double& { return p.contact.cells.repulsion; }, "Pa", above(0, 1e7),
+        "", "MODEL.md, I38", "Repulsive pressure between two cells at zero gap", optional, {}, has_several},
+    Row{"contact.cells.repulsion_range", [](Parameters& p) -> double& { return p.contact.cells.repulsion_range; }, "um", above(0, 20),
+        "", "MODEL.md, I38", "Gap below which two cells repel each other", optional, {}, has_several},
+    Row{"contact.cells.adhesion", [](Parameters& p) -> double& { return p.contact.cells.adhesion; }, "Pa", closed(0, 1e6),
+        "", "MODEL.md, I39", "Largest adhesive stress between two cells; 0: cells do not adhere to each other", optional, {}, has_several},
+    Row{"contact.cells.adhesion_range", [](Parameters& p) -> double& { return p.contact.cells.adhesion_range; }, "um", above(0, 20),
+        "", "MODEL.md, I39", "Two cells attract each other at gaps of up to this much beyond contact.cells.repulsion_range", optional, {}, has_several},
+
+    Row{"nucleus.radius", [](Parameters& p) -> double& { return p.nucleus.radius; }, "um", closed(0, 500),
+        "R_n", "MODEL.md, I40", "Radius of the nucleus at the start; 0: no nucleus", optional, "0 um"},
+    Row{"nucleus.shear_modulus", [](Parameters& p) -> double& { return p.nucleus.shear_modulus; }, "Pa", closed(0, 1e7),
+        "", "MODEL.md, I40", "Shear modulus of the chromatin, which resists a change of shape", optional, {}, has_nucleus},
+    Row{"nucleus.stretch_stiffness", [](Parameters& p) -> double& { return p.nucleus.stretch_stiffness; }, "nN", above(0, 1000),
+        "", "MODEL.md, I40", "Stretch stiffness of the lamina: tension per strain", optional, {}, has_nucleus},
+    Row{"nucleus.bending_stiffness", [](Parameters& p) -> double& { return p.nucleus.bending_stiffness; }, "nN um^2", closed(0, 1000),
+        "", "MODEL.md, I40", "Bending stiffness of the lamina", optional, {}, has_nucleus},
+    Row{"nucleus.bulk_modulus", [](Parameters& p) -> double& { return p.nucleus.bulk_modulus; }, "Pa", closed(0, 1e7),
+        "", "MODEL.md, I40", "Bulk modulus of the nucleus: pressure per relative loss of area", optional, {}, has_nucleus},
+    Row{"nucleus.retardation_time", [](Parameters& p) -> double& { return p.nucleus.retardation_time; }, "s", closed(0, 1e6),
+        "", "MODEL.md, I40", "Kelvin-Voigt retardation time of lamina and chromatin", optional, {}, has_nucleus},
+    Row{"nucleus.centring_stiffness", [](Parameters& p) -> double& { return p.nucleus.centring_stiffness; }, "N/m", closed(0, 1),
+        "", "MODEL.md, I40", "Stiffness of the filaments that hold the nucleus in the middle of the cell", optional, {}, has_nucleus},
+    Row{"nucleus.drag", [](Parameters& p) -> double& { return p.nucleus.drag; }, "N s/m", closed(0, 1000),
+        "", "MODEL.md, I40", "Drag coefficient of the nucleus relative to the cytoplasm; the cytoplasm moves with the cortex", optional, {}, has_nucleus},
+    Row{"nucleus.repulsion", [](Parameters& p) -> double& { return p.nucleus.repulsion; }, "Pa", above(0, 1e7),
+        "", "MODEL.md, I40", "Repulsive pressure between nucleus and cortex at zero gap", optional, {}, has_nucleus},
+    Row{"nucleus.repulsion_range", [](Parameters& p) -> double& { return p.nucleus.repulsion_range; }, "um", above(0, 20),
+        "", "MODEL.md, I40", "Gap below which nucleus and cortex repel each other", optional, {}, has_nucleus},
+    Row{"nucleus.particles", [](Parameters& p) -> int& { return p.nucleus.particles; }, "1", closed(12, 2000),
+        "", "MODEL.md, I40", "Number of particles of the lamina", numerical, {}, has_nucleus},
+
     Row{"actomyosin.force", [](Parameters& p) -> double& { return p.actomyosin.force; }, "nN", closed(0, 1000),
         "F_am", table_1, "Actomyosin force of one strand at full maturation; a protrusion has two"},
     Row{"actomyosin.f_mat_body", [](Parameters& p) -> double& { return p.actomyosin.f_mat_body; }, "1", closed(0, 1),
@@ -258,6 +378,51 @@ constexpr std::array rows{
     Row{"cues.uptake", [](Parameters& p) -> double& { return p.cues.uptake; }, "1/s", closed(0, 1e3),
         "", "MODEL.md, I34", "Rate at which cells take up a diffusing attractant beneath them", usual, "0 1/s"},
 
+    law("laws.fibre_stiffness", [](Parameters& p) -> std::string& { return p.laws.fibre_stiffness; }, "1", closed(0, 1e100), paper,
+        "Eq. 5: stiffness of a fibre over k_0", strain, {},
+        "eps < 0 ? 0 : eps <= eps_s ? 1 : exp((eps - eps_s)/d_s)"),
+    law("laws.curvature_factor", [](Parameters& p) -> std::string& { return p.laws.curvature_factor; }, "1", closed(0, 1), "MODEL.md, I14",
+        "Eq. 6: factor of the actomyosin tension", segment, all_shared,
+        "exp(-0.5*((kappa - kappa_0)/kappa_w)^2)"),
+    law("laws.contraction", [](Parameters& p) -> std::string& { return p.laws.contraction; }, "nN", closed(0, 1000), paper,
+        "Eq. 6: tension of a segment of the cortex", strand, all_shared,
+        "f_mat*f_curv*F_am"),
+    law("laws.maturation_force", [](Parameters& p) -> std::string& { return p.laws.maturation_force; }, "nN", closed(0, 1000), methods,
+        "Force of the adhesion at which the next step of maturation is done", maturing, all_shared,
+        "0.1*sum(steps, s_mat)*(m_mat*F_am)"),
+    law("laws.maturation", [](Parameters& p) -> std::string& { return p.laws.maturation; }, "1", closed(0, 1), methods,
+        "f_mat after so many steps of maturation", matured, without_f_mat,
+        "min(1, 0.1*steps)"),
+    law("laws.adhesion_stiffness", [](Parameters& p) -> std::string& { return p.laws.adhesion_stiffness; }, "nN/um", closed(0, 1e6), methods,
+        "Stiffness of an adhesion: its force over its stretch", spring, all_shared,
+        "k_ad"),
+    law("laws.disassembly_rate", [](Parameters& p) -> std::string& { return p.laws.disassembly_rate; }, "1/s", closed(0, 1e6), paper,
+        "Eq. 7: rate at which an adhesion disassembles", adhesion, all_shared,
+        "r_off_min + r_off_0*exp(-zeta_diss*F/f_mat)"),
+    law("laws.growth_force", [](Parameters& p) -> std::string& { return p.laws.growth_force; }, "1", closed(0, 100), paper,
+        "Eq. 10: force of growth over F_prot", growth, all_shared,
+        "n_prot > 0 && A > 1 ? 1/A : 1"),
+    law("laws.initiation_rate", [](Parameters& p) -> std::string& { return p.laws.initiation_rate; }, "1/s", closed(0, 1e6), methods,
+        "Rate of initiation at a particle of the front", place, of_no_protrusion,
+        "r_prot"),
+    law("laws.initiation_bias", [](Parameters& p) -> std::string& { return p.laws.initiation_bias; }, "1", closed(0, 1e300), methods,
+        "Where along the cortex protrusions begin: the rate is multiplied by bias / mean bias, so the total rate of the cell stays the same. A bias of 0 along the whole cortex is none", place, of_no_protrusion,
+        "1"),
+    law("laws.polarization_rate", [](Parameters& p) -> std::string& { return p.laws.polarization_rate; }, "1/s", closed(0, 1e6), methods,
+        "Rate at which the polarization turns to the mean direction of the adhesions", turn, of_no_protrusion,
+        "r_pol"),
+    law("laws.degradation_tip", [](Parameters& p) -> std::string& { return p.laws.degradation_tip; }, "1/s", closed(0, 1e6), methods,
+        "Rate of degradation at the tip of a growing protrusion", matrix, all_shared,
+        "r_degr_tip"),
+    law("laws.degradation_protrusion", [](Parameters& p) -> std::string& { return p.laws.degradation_protrusion; }, "1/s", closed(0, 1e6), methods,
+        "Rate of degradation along a protrusion", matrix, all_shared,
+        "p > p_th_degr ? r_degr_prot : 0"),
+    law("laws.degradation_body", [](Parameters& p) -> std::string& { return p.laws.degradation_body; }, "1/s", closed(0, 1e6), methods,
+        "Rate of degradation around the body of the cell; around its rear times body_rear_share", matrix, of_no_protrusion,
+        "p > p_th_degr ? r_degr_body : 0"),
+    Row{"laws.constants", [](Parameters& p) -> std::vector<LawConstant>& { return p.laws.constants; }, "", {},
+        "", chosen, "Constants of your own for these formulas, each of them a parameter: a table, or one text", optional, ""},
+
     Row{"output.track_interval", [](Parameters& p) -> double& { return p.output.track_interval; }, "s", above(0, 1e9),
         "", chosen, "Time between rows of tracks.csv and health.csv"},
     Row{"output.checkpoint_interval", [](Parameters& p) -> double& { return p.output.checkpoint_interval; }, "s", closed(0, 1e9),
@@ -280,15 +445,19 @@ constexpr std::array rows{
 
 } // namespace
 
-std::span<const Row> schema() {
-  static const std::vector<Row> all = [] {
-    std::vector<Row> joined(rows.begin(), rows.end());
-    const auto behind = std::ranges::find(joined, "actomyosin", section_of);
-    joined.insert(behind, part_rows().begin(), part_rows().end());
-    joined.insert(std::ranges::find(joined, "output", section_of), law_rows().begin(), law_rows().end());
-    return joined;
-  }();
-  return all;
+std::span<const Row> schema() { return rows; }
+
+std::span<const Row> law_rows() {
+  const auto first = std::ranges::find(rows, "laws", section_of);
+  return {first, std::ranges::find(first, rows.end(), "output", section_of)};
 }
+
+std::span<const Row> cell_rows() { return rows_of_cells; }
+
+const Row& change_time() { return row_of_change; }
+
+std::span<const Section> sections() { return all_sections; }
+
+std::span<const LawVariable> shared_arguments() { return of_the_place; }
 
 } // namespace matrigrate

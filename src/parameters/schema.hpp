@@ -12,8 +12,7 @@
 #include <vector>
 
 /// The one table of parameters. Reader, checks, scenario files, documentation and editor schema are made from it; a new
-/// parameter is one member in parameters.hpp and one row in schema.cpp (of several cells or a nucleus:
-/// schema_cells.cpp, laws in schema_laws.cpp, sections in schema_sections.cpp), with `before`. Test:
+/// parameter is one member in parameters.hpp and one row in schema.cpp, with `before`. Test:
 /// tests/unit/parameters/schema_test.cpp
 namespace matrigrate {
 
@@ -37,11 +36,14 @@ struct OneConstant {
   std::string_view name;
 };
 
+/// The member of a set of parameters.
+template <class T>
+using Access = T& (*)(Parameters&);
+
 /// Where a parameter is stored. The alternative is its type: quantity or ratio, integer, flag, text of a field or law,
 /// choice; all constants of the laws, and one of them, a quantity or ratio as well.
-using Member = std::variant<double& (*)(Parameters&), int& (*)(Parameters&), std::uint64_t& (*)(Parameters&),
-                            bool& (*)(Parameters&), std::string& (*)(Parameters&), Choice,
-                            std::vector<LawConstant>& (*)(Parameters&), OneConstant>;
+using Member = std::variant<Access<double>, Access<int>, Access<std::uint64_t>, Access<bool>, Access<std::string>,
+                            Choice, Access<std::vector<LawConstant>>, OneConstant>;
 
 /// Who is likely to touch a parameter: `usual` ones stand open in a new scenario, `optional` and `numerical` ones
 /// commented out.
@@ -98,9 +100,6 @@ std::span<const Row> cell_rows();
 
 /// The key `at` of one table of [[changes]]; its member is that of the last of Parameters::changes.
 const Row& change_time();
-
-/// The part of schema() that is the sections [contact.cells] and [nucleus].
-std::span<const Row> part_rows();
 
 /// The part of schema() that is the section [laws]; the last one is laws.constants.
 std::span<const Row> law_rows();

@@ -322,27 +322,24 @@ double number_in(double value, const Unit& unit) {
 }
 
 std::string to_string(const Dimension& d) {
-  struct Word {
-    Dimension dimension;
-    std::string_view text;
-  };
-  static constexpr std::array words{Word{{0, 0, 0}, "a bare number"},
-                                    Word{{one, 0, 0}, "a length"},
-                                    Word{{2 * one, 0, 0}, "an area"},
-                                    Word{{0, one, 0}, "a time"},
-                                    Word{{0, -one, 0}, "a rate"},
-                                    Word{{one, -one, 0}, "a speed"},
-                                    Word{{0, 0, one}, "a force"},
-                                    Word{{0, 0, -one}, "an inverse force"},
-                                    Word{{-2 * one, 0, one}, "a stress"},
-                                    Word{{-2 * one, one, one}, "a viscosity"},
-                                    Word{{-one, 0, one}, "a stiffness"},
-                                    Word{{-one, one, one}, "a drag coefficient"},
-                                    Word{{one, 0, one}, "a bending stiffness"},
-                                    Word{{-one, 0, 0}, "a curvature"},
-                                    Word{{0, 0, 0, one}, "an angle"}};
-  const auto word = std::find_if(words.begin(), words.end(), [&](const Word& w) { return w.dimension == d; });
-  if (word != words.end()) return std::string(word->text);
+  static constexpr std::array<std::pair<Dimension, std::string_view>, 15> words{
+      {{{0, 0, 0}, "a bare number"},
+       {{one, 0, 0}, "a length"},
+       {{2 * one, 0, 0}, "an area"},
+       {{0, one, 0}, "a time"},
+       {{0, -one, 0}, "a rate"},
+       {{one, -one, 0}, "a speed"},
+       {{0, 0, one}, "a force"},
+       {{0, 0, -one}, "an inverse force"},
+       {{-2 * one, 0, one}, "a stress"},
+       {{-2 * one, one, one}, "a viscosity"},
+       {{-one, 0, one}, "a stiffness"},
+       {{-one, one, one}, "a drag coefficient"},
+       {{one, 0, one}, "a bending stiffness"},
+       {{-one, 0, 0}, "a curvature"},
+       {{0, 0, 0, one}, "an angle"}}};
+  const auto word = std::ranges::find(words, d, &std::pair<Dimension, std::string_view>::first);
+  if (word != words.end()) return std::string(word->second);
   std::string text;
   const auto append = [&text](std::string_view symbol, int exponent) {
     if (exponent == 0) return;
@@ -358,9 +355,11 @@ std::string to_string(const Dimension& d) {
 
 namespace {
 
-bool same_letters(std::string_view a, std::string_view b) { // upper and lower case are the same
+/// Whether a text is a word or its plural, whatever its capital letters.
+bool is_word(std::string_view word, std::string_view text) {
   const auto lower = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; };
-  return std::ranges::equal(a, b, {}, lower, lower);
+  if (word.size() >= 3 && text.size() == word.size() + 1 && lower(text.back()) == 's') text.remove_suffix(1);
+  return std::ranges::equal(word, text, {}, lower, lower);
 }
 
 } // namespace
@@ -370,16 +369,13 @@ std::string unit_meant(std::string_view text) {
                                     "ms", "min", "h",  "d",  "rad",    "deg",    "MPa",  "GPa", "mPa",
                                     "m",  "N",   "g",  "kg", "second", "minute", "hour", "day"};
   for (const std::string_view unit : usual)
-    if (same_letters(unit, text)
-        || (unit.size() >= 3 && text.size() == unit.size() + 1 && same_letters(fmt::format("{}s", unit), text)))
-      return fmt::format("; did you mean {}?", unit);
-  static constexpr std::array words{
-      std::pair{"pascal", "Pa"},       std::pair{"pascals", "Pa"},     std::pair{"kilopascal", "kPa"},
-      std::pair{"kilopascals", "kPa"}, std::pair{"micron", "um"},      std::pair{"microns", "um"},
-      std::pair{"micrometer", "um"},   std::pair{"micrometers", "um"}, std::pair{"sec", "s"},
-      std::pair{"secs", "s"},          std::pair{"hr", "h"},           std::pair{"hrs", "h"}};
+    if (is_word(unit, text)) return fmt::format("; did you mean {}?", unit);
+  static constexpr std::array words{std::pair{"pascal", "Pa"}, std::pair{"kilopascal", "kPa"},
+                                    std::pair{"micron", "um"}, std::pair{"micrometer", "um"},
+                                    std::pair{"sec", "s"},     std::pair{"hr", "h"},
+                                    std::pair{"hrs", "h"}};
   for (const auto& [word, unit] : words)
-    if (same_letters(word, text)) return fmt::format("; did you mean {}?", unit);
+    if (is_word(word, text)) return fmt::format("; did you mean {}?", unit);
   return {};
 }
 

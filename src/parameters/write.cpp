@@ -1,7 +1,6 @@
 #include "parameters/write.hpp"
 
 #include "parameters/changes.hpp"
-#include "parameters/gone.hpp"
 #include "parameters/laws/constants.hpp"
 #include "parameters/schema.hpp"
 #include "parameters/version.hpp"
@@ -32,10 +31,10 @@ void for_each_section(const WithSection& with_section, const WithRow& with_row) 
   }
 }
 
-/// What stands above a parameter: "# Young's modulus of the intact matrix (E); > 0 and <= 1e7 Pa".
-std::string comment(const Row& row) {
+/// "Young's modulus of the intact matrix (E); > 0 and <= 1e7 Pa"
+std::string meaning(const Row& row) {
   const std::string symbol = row.symbol.empty() ? "" : fmt::format(" ({})", row.symbol);
-  return fmt::format("# {}{}; {}\n", description_of(row), symbol, allowed_text(row));
+  return fmt::format("{}{}; {}", description_of(row), symbol, allowed_text(row));
 }
 
 /// Whether a new scenario names the value, and does not only show it in a comment. A usual step is left to follow the
@@ -57,16 +56,10 @@ constexpr std::string_view quantity_pattern =
 
 Json number_schema(const Row& row) {
   const bool whole = kind(row) == Kind::integer;
-  Json number{{"type", whole ? "integer" : "number"}};
-  const auto bound = [&](std::string_view key, double value) {
-    if (whole)
-      number[std::string(key)] = static_cast<std::int64_t>(value);
-    else
-      number[std::string(key)] = value;
-  };
-  bound(row.range.low_allowed ? "minimum" : "exclusiveMinimum", row.range.low);
-  bound(row.range.high_allowed ? "maximum" : "exclusiveMaximum", row.range.high);
-  return number;
+  const auto bound = [whole](double value) { return whole ? Json(static_cast<std::int64_t>(value)) : Json(value); };
+  return {{"type", whole ? "integer" : "number"},
+          {row.range.low_allowed ? "minimum" : "exclusiveMinimum", bound(row.range.low)},
+          {row.range.high_allowed ? "maximum" : "exclusiveMaximum", bound(row.range.high)}};
 }
 
 /// A constant of the laws: a number, or one with its range.
@@ -82,44 +75,35 @@ Json constant_schema() {
           {{"value", number}, {"range", {{"type", "array"}, {"items", number}, {"minItems", 2}, {"maxItems", 2}}}}}}}}};
 }
 
+Json type_schema(const Row& row) {
+  switch (kind(row)) {
+  case Kind::quantity:
+  case Kind::angle:
+    return {{"anyOf", {Json{{"type", "string"}, {"pattern", quantity_pattern}}, number_schema(row)}}};
+  case Kind::ratio:
+  case Kind::integer:
+    return number_schema(row);
+  case Kind::constants:
+    return {{"type", {"string", "object"}}, {"additionalProperties", constant_schema()}};
+  case Kind::law:
+    return {{"type", {"string", "number"}}, {"x-law", true}};
+  case Kind::choice: {
+    const auto names = std::get<Choice>(row.member).names;
+    return {{"enum", std::vector<std::string_view>(names.begin(), names.end())}};
+  }
+  default:
+    return {{"type", kind(row) == Kind::field ? "string" : "boolean"}};
+  }
+}
+
 Json row_schema(const Row& row) {
-  const std::string symbol = row.symbol.empty() ? "" : fmt::format(" ({})", row.symbol);
   const bool angle = kind(row) == Kind::angle;
   const std::string bare = angle || kind(row) == Kind::quantity
                                ? fmt::format(" A bare number is in {}{}.", row.unit,
                                              angle ? "; \"30 deg\", \"30°\" and \"0.5 rad\" are angles as well" : "")
                                : "";
-  const Json description =
-      fmt::format("{}{}; {}. Default: {}.{}", description_of(row), symbol, allowed_text(row), row.source, bare);
-  Json schema;
-  switch (kind(row)) {
-  case Kind::quantity:
-  case Kind::angle:
-    schema["anyOf"] = {Json{{"type", "string"}, {"pattern", quantity_pattern}}, number_schema(row)};
-    break;
-  case Kind::ratio:
-  case Kind::integer:
-    schema = number_schema(row);
-    break;
-  case Kind::constants:
-    schema["type"] = {"string", "object"};
-    schema["additionalProperties"] = constant_schema();
-    break;
-  case Kind::law:
-    schema["type"] = {"string", "number"};
-    schema["x-law"] = true;
-    break;
-  case Kind::field:
-    schema["type"] = "string";
-    break;
-  case Kind::boolean:
-    schema["type"] = "boolean";
-    break;
-  case Kind::choice:
-    for (const std::string_view name : std::get<Choice>(row.member).names) schema["enum"].push_back(name);
-    break;
-  }
-  schema["description"] = description;
+  Json schema = type_schema(row);
+  schema["description"] = fmt::format("{}. Default: {}.{}", meaning(row), row.source, bare);
   schema["default"] = Json::parse(value_text(row, {})); // all forms of value_text are JSON as well
   if (row.before)                                       // by a path, the value of that key
     schema["x-before"] = find_row(*row.before) != nullptr ? Json(*row.before) : Json::parse(before_text(row, {}));
@@ -196,7 +180,7 @@ std::string_view short_source(std::string_view source) {
 /// Text of a cell of a table in Markdown.
 std::string cell(std::string_view text) {
   std::string escaped;
-  for (const char c : text) escaped += c == '|' ? std::string("\\|") : std::string(1, c);
+  for (const char c : text) escaped.append(c == '|' ? "\\" : "").push_back(c);
   return escaped;
 }
 
@@ -205,17 +189,13 @@ std::string cell(std::string_view text) {
 std::string to_toml(const Parameters& p) {
   std::string text = fmt::format("{}version = \"{}\"\n", resolved_head, this_version);
   for_each_section([&](const Section& s) { text += fmt::format("\n# {}\n[{}]\n", s.title, s.name); },
-                   [&](const Row& row) { text += comment(row) + assignment(row, p); });
+                   [&](const Row& row) { text += fmt::format("# {}\n{}", meaning(row), assignment(row, p)); });
   return text + cell_tables(p) + change_tables(p);
 }
 
 std::string values_text(const Parameters& p) {
   std::string text;
   Parameters q = p;
-  const auto value_of_gone = [&p](const Gone& parameter) {
-    const auto kept = p.origin.gone.find(parameter.path);
-    return kept == p.origin.gone.end() ? parameter.left : std::string_view(kept->second);
-  };
   for (const Row& row : schema()) {
     if (counts(row, p))
       text += fmt::format("{} = {}\n", row.path,
@@ -223,7 +203,7 @@ std::string values_text(const Parameters& p) {
                               ? fmt::format("{}", *real_of(row, q))
                               : meaning_text(row, p));
     for (const Gone& parameter : gone())
-      if (parameter.behind == row.path) text += fmt::format("{} = {}\n", parameter.path, value_of_gone(parameter));
+      if (parameter.behind == row.path) text += fmt::format("{} = {}\n", parameter.path, gone_value(parameter, p));
   }
   if (!p.cells.empty()) text += fmt::format("cells = {}\n", cells_text(p));
   const std::vector<Period> all = periods(p);
@@ -256,7 +236,7 @@ std::string new_scenario(const Preset& preset, const std::string& schema) {
         if (audience != Audience::numerical && row.audience == Audience::numerical)
           text += "\n# Numerics; rarely changed.\n";
         audience = row.audience;
-        text += comment(row) + (open ? "" : "# ") + assignment(row, p);
+        text += fmt::format("# {}\n{}{}", meaning(row), open ? "" : "# ", assignment(row, p));
         if (kind(row) == Kind::constants && !open) text += "# F_c = \"0.1 nN\"\n"; // as an example
       });
   return text + cell_tables(p);

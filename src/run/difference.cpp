@@ -4,9 +4,9 @@
 #include "base/file.hpp"
 #include "observe/readout_table.hpp"
 #include "parameters/changes.hpp"
-#include "parameters/gone.hpp"
 #include "parameters/read.hpp"
 #include "parameters/schema.hpp"
+#include "parameters/version.hpp"
 #include "run/folder_state.hpp"
 #include "run/run_record.hpp"
 #include "tables/csv.hpp"
@@ -17,7 +17,6 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <iterator>
 #include <optional>
 
 namespace matrigrate::run {
@@ -93,7 +92,9 @@ std::vector<std::array<std::string, 3>> parameters_that_differ(const Parameters&
   std::vector<std::array<std::string, 3>> list;
   for (const Row& row : schema())
     if (differs(row, a, b)) list.push_back({std::string(row.path), value_text(row, a), value_text(row, b)});
-  std::ranges::copy(gone_that_differ(a, b), std::back_inserter(list));
+  for (const Gone& parameter : gone())
+    if (gone_value(parameter, a) != gone_value(parameter, b))
+      list.push_back({std::string(parameter.path), gone_value(parameter, a), gone_value(parameter, b)});
   if (cells_text(a) != cells_text(b)) list.push_back({"cells", cells_text(a), cells_text(b)});
   if (changes_text(a) != changes_text(b)) list.push_back({"changes", changes_text(a), changes_text(b)});
   return list;

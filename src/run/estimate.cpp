@@ -253,7 +253,7 @@ std::vector<std::string> warnings(const Parameters& p, const Derived& d) {
   for (const std::string& sentence : uneven_outputs(p)) found.push_back(sentence + ".");
   if (const std::string bias = fault_of_bias(p); !bias.empty()) found.push_back(bias + ".");
   for (const std::string& sentence : law_notes(p)) found.push_back(sentence + ".");
-  for (const std::string& note : {closures_note(closures_of(p)), note_of_scenario(p), note_of_drag(p)})
+  for (const std::string& note : {closures_of(p).note, note_of_scenario(p), note_of_drag(p)})
     if (!note.empty()) found.push_back(note + ".");
   if (p.ecm.hourglass_weight == 0.0)
     found.emplace_back("without the hourglass penalty, particles pair up and drift in modes that cost no energy.");

@@ -229,7 +229,7 @@ std::vector<report::Fact> run_facts(const Parameters& p, const Json& record, con
   };
   if (const std::string version = text_of(record, "scenario_version"); !version.empty())
     facts.push_back({"scenario written by", fmt::format("matrigrate {}; {}", version, model_text(version))});
-  facts.push_back({"closures", closures_text(closures_of(p))});
+  facts.push_back({"closures", closures_of(p).text});
   for (const auto& [path, value] : p.origin.gone) facts.push_back({path, value + ", a reading that has gone"});
   add("bias of initiation", bias_sentence(record));
   for (const Row* law : changed_laws(p)) {
@@ -276,7 +276,7 @@ Json to_json(const RunRecord& record, const Parameters& p) {
              record.steps > 0 ? Json(1e3 * record.march_wall_time / static_cast<double>(record.steps)) : Json()},
             {"trajectory_hash", record.trajectory_hash},
             {"configuration_hash", record.configuration_hash},
-            {"closures", closures_text(closures_of(p))},
+            {"closures", closures_of(p).text},
             {"scenario_version", p.origin.version.empty() ? Json() : Json(p.origin.version)},
             {"laws", laws_json(p)},
             {"changes", changes_json(p)},

@@ -143,7 +143,7 @@ std::vector<report::Fact> run_facts(const Parameters& p, const Json& record, con
 
 /// {status, exit_code, reason, cause: to_string(FailureCause) or null, seed, steps, t_s, duration_s, wall_time_s,
 /// ms_per_step, trajectory_hash,
-///  configuration_hash, closures: closures_text(), scenario_version: of the program that wrote the scenario, if its
+///  configuration_hash, closures: Closures::text, scenario_version: of the program that wrote the scenario, if its
 ///  model is another, else null, laws: laws_json(), changes: changes_json(), steps_without_bias, files: {name:
 ///  fingerprint}, frames_lost, frames_lost_s: [first, last] or null, command_line, scenario, commands, start, end,
 ///  lineage, and the keys of provenance()}

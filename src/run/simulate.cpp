@@ -240,7 +240,7 @@ private:
 RunOutcome run(RunStart start, const RunOptions& options, RunObserver& observer) {
   const ThreadLimit limit(threads_of(start.p, start.s.ecm.size()));
   observer.begin();
-  if (const std::string note = closures_note(closures_of(start.p)); !note.empty()) observer.warn(note);
+  if (const std::string note = closures_of(start.p).note; !note.empty()) observer.warn(note);
   return Computation(std::move(start), options, observer).compute();
 }
 

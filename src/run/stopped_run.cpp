@@ -4,7 +4,6 @@
 #include "base/file.hpp"
 #include "base/text.hpp"
 #include "parameters/document.hpp"
-#include "parameters/gone.hpp"
 #include "parameters/read.hpp"
 #include "parameters/schema.hpp"
 #include "parameters/version.hpp"

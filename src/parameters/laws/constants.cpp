@@ -3,7 +3,6 @@
 #include "parameters/assign.hpp"
 #include "parameters/document.hpp"
 #include "parameters/laws/law_names.hpp"
-#include "parameters/laws/law_units.hpp"
 #include "parameters/nearest.hpp"
 
 #include <fmt/format.h>
@@ -13,6 +12,7 @@
 #include <cmath>
 #include <limits>
 #include <memory>
+#include <ranges>
 #include <stdexcept>
 #include <utility>
 
@@ -41,11 +41,6 @@ std::shared_ptr<const Row> made_row(std::string_view name, std::string_view unit
                "Constant of the laws",
                Audience::optional};
   return {kept, &kept->row};
-}
-
-std::string_view trimmed(std::string_view text) {
-  const std::size_t first = text.find_first_not_of(" \t");
-  return first == std::string::npos ? "" : text.substr(first, text.find_last_not_of(" \t") - first + 1);
 }
 
 bool is_name(std::string_view name) {
@@ -87,12 +82,14 @@ LawConstant constant_of(std::string_view name, std::string_view typed) {
 
 /// A value of a table as it is typed.   @throws std::invalid_argument if it is neither a text nor a number
 std::string typed_at(std::string_view name, const toml::node& node) {
-  if (const auto* text = node.as_string()) return text->get();
-  if (const auto* whole = node.as_integer()) return fmt::format("{}", whole->get());
-  if (const auto* real = node.as_floating_point()) return fmt::format("{}", real->get());
-  throw std::invalid_argument(fmt::format(
-      "the value of {} is {}; write a number with its unit in quotes, such as \"0.1 nN\", or a plain number", name,
-      type_of(node)));
+  const Given given = given_by(node);
+  const auto* text = std::get_if<std::string>(&given.value);
+  std::string typed = text == nullptr ? digits_of(given) : *text;
+  if (text == nullptr && typed.empty())
+    throw std::invalid_argument(fmt::format(
+        "the value of {} is {}; write a number with its unit in quotes, such as \"0.1 nN\", or a plain number", name,
+        given.type));
+  return typed;
 }
 
 /// A bound of its range.   @throws std::invalid_argument saying what is wrong with it
@@ -166,9 +163,8 @@ double in_formulas(const LawConstant& constant) {
 std::string text_of(const LawConstant& constant) { return fmt::format("{} = {}", constant.name, value_of(constant)); }
 
 std::string constants_text(const Parameters& p) {
-  std::string text;
-  for (const LawConstant& constant : p.laws.constants) text += (text.empty() ? "" : ", ") + text_of(constant);
-  return text;
+  const auto text = [](const LawConstant& constant) { return text_of(constant); };
+  return fmt::format("{}", fmt::join(p.laws.constants | std::views::transform(text), ", "));
 }
 
 std::string constants_table(const Parameters& p) {

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdlib>
 #include <stdexcept>
 
@@ -64,7 +65,7 @@ const Row* row_of_symbol(std::string_view name) {
 double number_of(const Row& row, Parameters& p) {
   if (const double* real = real_of(row, p))
     return *real * (kind(row) == Kind::angle ? 1.0 : formula_factor(units::parse_unit(row.unit).dimension));
-  return std::get<int& (*)(Parameters&)>(row.member)(p);
+  return std::get<Access<int>>(row.member)(p);
 }
 
 void number_by_value(fields::Part& part) {
@@ -129,6 +130,186 @@ std::string law_meaning(const Row& law, const Parameters& p) {
     return text == *law.before ? text : formula_meaning(law, p);
   } catch (const std::invalid_argument&) { // is refused
     return text;
+  }
+}
+
+namespace {
+
+using fields::Part;
+using units::Dimension;
+
+/// The dimension of a part, as far as it is certain: a plain number may stand for a quantity.
+struct Known {
+  Dimension dimension;
+  bool certain = true;
+  int pascals = 0; ///< the exponent of Pa in the unit of its number, in thousandths
+};
+
+constexpr std::array same_as_argument{"abs", "rint", "floor", "ceil"};
+constexpr std::array alike{"min", "max", "sum", "avg", "mod"};
+
+bool is_one_of(const auto& names, const std::string& name) { return std::ranges::find(names, name) != names.end(); }
+
+Known power(const Known& of, double exponent) {
+  const auto times = [exponent](int thousandths) { return static_cast<int>(exponent * thousandths); };
+  const Dimension& d = of.dimension;
+  return {{times(d.length), times(d.time), times(d.force), times(d.angle)}, of.certain, times(of.pascals)};
+}
+
+Known product(const Known& of, const Known& with, int sign) {
+  const Dimension& a = of.dimension;
+  const Dimension& b = with.dimension;
+  return {{a.length + sign * b.length, a.time + sign * b.time, a.force + sign * b.force, a.angle + sign * b.angle},
+          of.certain && with.certain,
+          of.pascals + sign * with.pascals};
+}
+
+std::string said(const Dimension& dimension) {
+  return dimension == Dimension{} ? "a number without a unit" : units::to_string(dimension);
+}
+
+/// The unit of a number in a formula.
+std::string unit_of(const Known& known) {
+  const std::string unit = formula_unit(known.dimension, known.pascals);
+  return unit.empty() ? "a number without a unit" : "in " + unit;
+}
+
+constexpr const char* factor = "; 1 Pa is 1e-3 nN/um^2: write the factor out";
+
+class Units {
+public:
+  explicit Units(const DimensionOf& of_name) : m_of_name(of_name) {}
+
+  /// @throws std::invalid_argument saying which parts do not agree, and where
+  Known of(const Part& part) const {
+    switch (part.kind) {
+    case Part::Kind::number:
+      return {{}, false};
+    case Part::Kind::name: {
+      const std::optional<Dimension> named = m_of_name(part.text);
+      return named ? Known{*named, true, pascals_in(*named)} : Known{{}, false};
+    }
+    case Part::Kind::prefix:
+      return part.text == "-" ? of(part.parts[0]) : Known{};
+    case Part::Kind::infix:
+      return of_infix(part);
+    case Part::Kind::choice:
+      of(part.parts[0]);
+      return agreeing(part, part.parts[1], part.parts[2]);
+    default:
+      return of_call(part);
+    }
+  }
+
+private:
+  Known agreeing(const Part& whole, const Part& a, const Part& b) const {
+    const Known first = of(a), second = of(b);
+    if (first.certain && second.certain && first.dimension != second.dimension)
+      throw std::invalid_argument(fmt::format("at character {}: {} is {}, but {} is {}", whole.at, written(a),
+                                              said(first.dimension), written(b), said(second.dimension)));
+    if (first.certain && second.certain && first.pascals != second.pascals)
+      throw std::invalid_argument(fmt::format("at character {}: {} is {}, but {} is {}{}", whole.at, written(a),
+                                              unit_of(first), written(b), unit_of(second), factor));
+    return first.certain ? first : second;
+  }
+
+  void require_number(const Part& of_part, std::string_view taken_by) const {
+    const Known known = of(of_part);
+    if (known.certain && known.dimension != Dimension{})
+      throw std::invalid_argument(fmt::format("at character {}: {} is {}, but {} takes a number without a unit",
+                                              of_part.at, written(of_part), said(known.dimension), taken_by));
+    if (known.certain && known.pascals != 0)
+      throw std::invalid_argument(fmt::format("at character {}: {} is {}, but {} takes a number without a unit{}",
+                                              of_part.at, written(of_part), unit_of(known), taken_by, factor));
+  }
+
+  Known of_infix(const Part& part) const {
+    const Part& a = part.parts[0];
+    const Part& b = part.parts[1];
+    if (part.text == "^") return of_power(a, b);
+    if (part.text == "+" || part.text == "-") return agreeing(part, a, b);
+    if (part.text == "*" || part.text == "/") return product(of(a), of(b), part.text == "*" ? 1 : -1);
+    if (is_comparison(part)) {
+      agreeing(part, a, b);
+    } else {
+      of(a);
+      of(b);
+    }
+    return {};
+  }
+
+  Known of_power(const Part& base, const Part& exponent) const {
+    require_number(exponent, "an exponent");
+    const Known known = of(base);
+    if (known.dimension == Dimension{} && known.pascals == 0) return known;
+    const bool negative = exponent.kind == Part::Kind::prefix && exponent.text == "-";
+    const Part& size = negative ? exponent.parts[0] : exponent;
+    if (size.kind != Part::Kind::number) return {{}, false};
+    const double number = std::strtod(size.text.c_str(), nullptr);
+    return power(known, negative ? -number : number);
+  }
+
+  Known of_call(const Part& part) const {
+    if (part.text == "sqrt") return power(of(part.parts[0]), 0.5);
+    if (is_one_of(same_as_argument, part.text)) return of(part.parts[0]);
+    if (is_one_of(alike, part.text)) {
+      Known found = of(part.parts[0]);
+      for (std::size_t k = 1; k < part.parts.size(); ++k) {
+        const Known both = agreeing(part, part.parts[0], part.parts[k]);
+        if (!found.certain) found = both;
+      }
+      return found;
+    }
+    for (const Part& argument : part.parts)
+      if (part.text == "sign" || part.text == "atan2")
+        of(argument);
+      else
+        require_number(argument, part.text);
+    return {};
+  }
+
+  const DimensionOf& m_of_name;
+};
+
+} // namespace
+
+int pascals_in(const Dimension& dimension) { return dimension.length == -2 * dimension.force ? dimension.force : 0; }
+
+double formula_factor(const Dimension& dimension) {
+  constexpr double one = 1000.0; // an exponent of 1, in thousandths
+  return std::pow(1000.0, pascals_in(dimension) / one);
+}
+
+std::string formula_unit(const Dimension& dimension, int pascals) {
+  constexpr int one = 1000;
+  std::string over, under;
+  const auto add = [&](std::string_view symbol, int exponent) {
+    if (exponent == 0) return;
+    const int size = std::abs(exponent);
+    const std::string with = size == one ? std::string(symbol) : fmt::format("{}^{:g}", symbol, size / 1000.0);
+    if (exponent < 0)
+      under += "/" + with;
+    else
+      over += (over.empty() ? "" : " ") + with;
+  };
+  add("Pa", pascals);
+  add("nN", dimension.force - pascals);
+  add("um", dimension.length + 2 * pascals);
+  add("s", dimension.time);
+  add("rad", dimension.angle);
+  return over.empty() && !under.empty() ? "1" + under : over + under;
+}
+
+std::string fault_of_units(const Part& whole, const DimensionOf& of_name, const Dimension& wanted) {
+  try {
+    const Known known = Units(of_name).of(whole);
+    if (!known.certain) return {};
+    if (known.dimension != wanted) return fmt::format("is {}, but {} is wanted", said(known.dimension), said(wanted));
+    const Known right{wanted, true, pascals_in(wanted)};
+    if (known.pascals == right.pascals) return {};
+    return fmt::format("is {}, but is to be {}{}", unit_of(known), unit_of(right), factor);
+  } catch (const std::invalid_argument& error) {
+    return fmt::format("mixes units {}", error.what());
   }
 }
 

@@ -4,7 +4,6 @@
 #include "parameters/assign.hpp"
 #include "parameters/changes.hpp"
 #include "parameters/document.hpp"
-#include "parameters/gone.hpp"
 #include "parameters/laws/constants.hpp"
 #include "parameters/nearest.hpp"
 #include "parameters/presets.hpp"

@@ -1,7 +1,7 @@
 #include "parameters/changes.hpp"
 
 #include "faults.hpp"
-#include "parameters/judge.hpp"
+#include "parameters/assign.hpp"
 #include "parameters/write.hpp"
 
 #include <gtest/gtest.h>

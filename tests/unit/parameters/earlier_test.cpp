@@ -1,6 +1,5 @@
 #include "parameters/version.hpp"
 
-#include "parameters/gone.hpp"
 #include "parameters/read.hpp"
 #include "parameters/rules.hpp"
 #include "parameters/schema.hpp"
