@@ -3,6 +3,7 @@
 #include "apps/terminal/terminal.hpp"
 #include "apps/verbs.hpp"
 #include "base/file.hpp"
+#include "base/text.hpp"
 #include "tables/run_files.hpp"
 #include "tables/state_json.hpp"
 
@@ -28,11 +29,11 @@ Json summary_of(const run::RunOutcome& outcome) {
   return store::parse_json(text);
 }
 
-void print_json(const run::RunOutcome& outcome, const std::string& report) {
+void print_record(const run::RunOutcome& outcome, const std::string& report) {
   Json all{{"folder", outcome.folder.string()}, {"report", report}};
   all["summary"] = summary_of(outcome);
   all.update(outcome.record);
-  print(all.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+  print_json(all);
 }
 
 void print_text(const run::RunOutcome& outcome) {
@@ -56,15 +57,27 @@ void RunDisplay::begin() {
   if (m_limit) StopSignal::before_first_step(std::isfinite(*m_limit) ? m_limit : std::nullopt);
 }
 
+void RunDisplay::begin_steps(double t, double t_end) {
+  m_begin = t;
+  m_end = t_end;
+  m_progress.emplace(m_quiet);
+}
+
 void RunDisplay::step(const State& s) {
   StopSignal::first_step();
-  std::size_t now = 0;
-  std::size_t so_far = 0;
-  for (const Cell& cell : s.cells) {
-    now += cell.protrusions.size();
-    so_far += cell.initiated;
-  }
-  m_progress->show(s.t, fmt::format("{} protrusion{} now, {} so far", now, now == 1 ? "" : "s", so_far));
+  m_progress->show([&](double elapsed) {
+    std::size_t now = 0, so_far = 0;
+    for (const Cell& cell : s.cells) {
+      now += cell.protrusions.size();
+      so_far += cell.initiated;
+    }
+    ProgressText text{.share = s.t / m_end,
+                      .where = fmt::format("{} of {}", time_text(s.t), time_text(m_end)),
+                      .left = time_left(elapsed, s.t - m_begin, m_end - s.t),
+                      .remark = fmt::format("{} protrusion{} now, {} so far", now, now == 1 ? "" : "s", so_far)};
+    text.line = fmt::format("{} ({:.0f} %), {}, about {}", text.where, 100.0 * text.share, text.remark, text.left);
+    return text;
+  });
 }
 
 std::optional<run::StopRequest> RunDisplay::stop_request() {
@@ -76,12 +89,11 @@ std::optional<run::StopRequest> RunDisplay::stop_request() {
 int print_outcome(const run::RunOutcome& outcome, const OutcomeStyle& style) {
   const std::string report = (outcome.folder / "report.html").string();
   if (style.json) {
-    print_json(outcome, report);
+    print_record(outcome, report);
     return run::exit_code(outcome.end);
   }
   if (!style.quiet) print_text(outcome);
-  if (style.quiet && outcome.end != run::RunEnd::completed)
-    print_error(fmt::format("{} {}\n", coloured("matrigrate:", Colour::bad, Stream::err), outcome.sentence));
+  if (style.quiet && outcome.end != run::RunEnd::completed) print_failure(outcome.sentence);
   std::error_code ignored;
   print(fmt::format("open {}\n", std::filesystem::exists(report, ignored) ? report : outcome.folder.string()));
   return run::exit_code(outcome.end);

@@ -22,7 +22,7 @@ public:
 
   void warn(std::string_view text) override;
   void begin() override;
-  void begin_steps(double t, double t_end) override { m_progress.emplace(t, t_end, m_quiet); }
+  void begin_steps(double t, double t_end) override;
   void end_steps() override { m_progress.reset(); }
   void step(const State& s) override;
   std::optional<run::StopRequest> stop_request() override;
@@ -31,6 +31,8 @@ private:
   bool m_quiet;
   std::optional<StopSignal> m_signal; ///< before there is a folder, and until the outcome is printed
   std::optional<Progress> m_progress;
+  double m_begin = 0.0;          ///< where this process begins: the time left is estimated from what it does itself [s]
+  double m_end = 0.0;            ///< of the whole run [s]
   std::optional<double> m_limit; ///< of wall time; none: the program is not ended so [s]
 };
 

@@ -25,18 +25,7 @@ bool draws_on_terminal() {
   return ::isatty(STDERR_FILENO) == 1 && terminal != nullptr && std::string_view(terminal) != "dumb";
 }
 
-} // namespace
-
-std::string bar(double share, int width) {
-  const int done = std::clamp(static_cast<int>(std::lround(share * width)), 0, width);
-  return std::string(static_cast<std::size_t>(done), '#') + std::string(static_cast<std::size_t>(width - done), '-');
-}
-
-std::string time_left(double elapsed, double done, double rest) {
-  if (!(done > 0.0)) return {};
-  return wall_time_text(elapsed * rest / done) + " left";
-}
-
+/// Characters of a line of the terminal on the standard error that can be written without a line break.
 std::size_t terminal_width() {
   winsize size{};
   long columns = ::ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 ? size.ws_col : 0;
@@ -44,6 +33,19 @@ std::size_t terminal_width() {
   if (columns == 0 && told != nullptr) columns = std::strtol(told, nullptr, 10);
   if (columns <= 0) columns = 80;
   return static_cast<std::size_t>(columns) - 1; // some terminals break the line behind their last column
+}
+
+/// A bar of `width` characters: "####----".
+std::string bar(double share, int width) {
+  const int done = std::clamp(static_cast<int>(std::lround(share * width)), 0, width);
+  return std::string(static_cast<std::size_t>(done), '#') + std::string(static_cast<std::size_t>(width - done), '-');
+}
+
+} // namespace
+
+std::string time_left(double elapsed, double done, double rest) {
+  if (!(done > 0.0)) return {};
+  return wall_time_text(elapsed * rest / done) + " left";
 }
 
 std::string progress_line(const ProgressText& text, std::size_t width) {
@@ -62,28 +64,19 @@ std::string progress_line(const ProgressText& text, std::size_t width) {
   return percent.substr(0, width);
 }
 
-Progress::Progress(double start, double total, bool quiet)
-    : m_begin(start), m_total(total), m_quiet(quiet), m_terminal(draws_on_terminal()), m_last(m_start) {}
+Progress::Progress(bool quiet) : m_quiet(quiet), m_terminal(draws_on_terminal()) {}
 
 Progress::~Progress() {
   if (m_drawn) print_error("\r\x1b[K");
 }
 
-void Progress::show(double t, const std::string& remark) {
+void Progress::show(const std::function<ProgressText(double elapsed)>& text) {
   const Clock::time_point now = Clock::now();
   if (m_quiet || now - m_last < (m_terminal ? Clock::duration(200ms) : Clock::duration(1min))) return;
   m_last = now;
-  const double elapsed = std::chrono::duration<double>(now - m_start).count();
-  const ProgressText text{.share = t / m_total,
-                          .where = fmt::format("{} of {}", time_text(t), time_text(m_total)),
-                          .left = time_left(elapsed, t - m_begin, m_total - t),
-                          .remark = remark};
-  if (m_terminal) {
-    print_error("\r\x1b[K" + progress_line(text, terminal_width()));
-    m_drawn = true;
-  } else {
-    print_error(fmt::format("{} ({:.0f} %), {}, about {}\n", text.where, 100.0 * text.share, remark, text.left));
-  }
+  const ProgressText shown = text(std::chrono::duration<double>(now - m_start).count());
+  print_error(m_terminal ? "\r\x1b[K" + progress_line(shown, terminal_width()) : shown.line + "\n");
+  m_drawn = m_terminal;
 }
 
 } // namespace matrigrate::apps
