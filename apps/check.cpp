@@ -74,8 +74,8 @@ Finding look_at(const std::string& file, const std::vector<std::string>& overrid
       const Parameters p = read_parameters(file, overrides, start_rules());
       look_at_model(p, found);
       for (std::string& note : run::uneven_outputs(p)) found.notes.push_back(std::move(note));
-      if (std::string bias = run::fault_of_bias(p); !bias.empty()) found.notes.push_back(std::move(bias));
-      if (std::string cost = run::cost_of_reference_steps(p); !cost.empty()) found.notes.push_back(std::move(cost));
+      for (std::string note : {run::fault_of_bias(p), run::cost_of_reference_steps(p)})
+        if (!note.empty()) found.notes.push_back(std::move(note));
     }
   } catch (const ConfigurationError& error) {
     found.faults = error.faults();
@@ -119,8 +119,7 @@ int check_files(const CheckArguments& options) {
     else
       print_finding(found);
   }
-  if (options.json)
-    print(Json{{"good", code == done}, {"files", files}}.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+  if (options.json) print_json({{"good", code == done}, {"files", files}});
   return code;
 }
 

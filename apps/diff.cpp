@@ -43,7 +43,7 @@ std::string text_of(const Json& found) {
 
 int compare(const std::string& a, const std::string& b, bool json) {
   const Json found = run::difference(a, b);
-  print(json ? found.dump(2, ' ', false, Json::error_handler_t::replace) + "\n" : text_of(found));
+  json ? print_json(found) : print(text_of(found));
   return done;
 }
 

@@ -22,13 +22,8 @@
 
 #include <cstddef>
 #include <filesystem>
-#include <functional>
 #include <memory>
-#include <optional>
-#include <string>
-#include <string_view>
 #include <utility>
-#include <vector>
 
 namespace matrigrate::apps {
 
@@ -50,16 +45,16 @@ std::string duration_text(double seconds) {
   return fmt::format("{:.3g} h", seconds / 3600.0);
 }
 
-void add_fibres(const std::function<void(std::string_view, const std::string&, const std::string&)>& add,
-                const Parameters& p, const Derived& d) {
-  if (p.fibres.arrangement == FibreArrangement::none) return;
-  const bool by_field = !p.fibres.field.direction_deg.empty();
+std::string line(std::string_view name, const std::string& value, std::string_view note) {
+  return fmt::format("{:<25} {:<15} {}\n", name, value, note);
+}
+
+std::string fibres_line(const Parameters& p, const Derived& d) {
+  if (p.fibres.arrangement == FibreArrangement::none) return {};
   const auto mean = mean_fibre_direction(p, d);
   const std::string direction = mean ? fmt::format("mean direction {:.3g} degrees", *mean) : "no mean direction";
-  if (by_field)
-    add("fibres", "along a field", direction + " over the particles");
-  else
-    add("fibres", fmt::format("{} bonds", d.bonds.count), "of each particle; " + direction);
+  if (!p.fibres.field.direction_deg.empty()) return line("fibres", "along a field", direction + " over the particles");
+  return line("fibres", fmt::format("{} bonds", d.bonds.count), "of each particle; " + direction);
 }
 
 std::string description(const Parameters& p, const Derived& d) {
@@ -73,46 +68,45 @@ std::string description(const Parameters& p, const Derived& d) {
                       graded ? "E by a field" : fmt::format("{:.4g} Pa", 1e3 * p.ecm.youngs_modulus),
                       p.ecm.poissons_ratio, 1e3 * p.ecm.viscosity, duration_text(p.run.duration),
                       p.run.integrator == Integrator::adaptive ? "up to " : "", d.longest_step);
-  const auto add = [&text](std::string_view name, const std::string& value, std::string_view note) {
-    text += fmt::format("{:<25} {:<15} {}\n", name, value, note);
-  };
-  add("bulk modulus K", fmt::format("{:.4g} Pa", 1e3 * d.K),
-      std::string("E / (3 (1 - 2 nu))") + (graded ? "; here and below E is ecm.youngs_modulus" : ""));
-  add("shear modulus G", fmt::format("{:.4g} Pa", 1e3 * d.G), "E / (2 (1 + nu))");
-  add("relaxation in shear", duration_text(d.shear_time), "mu / G");
-  add("relaxation, compression", duration_text(d.compression_time), "mu / (K + 4G/3)");
-  add("particles", fmt::format("{}", d.particles()),
-      fmt::format("{} free, {} of them fluid from the start; {} clamped", d.free_particles, d.fluid_particles,
-                  d.clamped_particles));
-  add("neighbours", fmt::format("{:.0f}", d.neighbours), "of a particle, within the kernel's support of 2 h");
-  add("cortex", fmt::format("{:.3g} um", d.segment_length),
-      fmt::format("a segment of {}; a protrusion takes {:.3g} um", p.cell.particles, d.protrusion_width));
-  add("first protrusion", duration_text(d.first_wait),
-      fmt::format("on average; after that a cell without any waits {}", duration_text(d.wait)));
-  add("steps", fmt::format("{:.0f}", d.steps),
-      p.run.integrator == Integrator::adaptive ? "at least: duration / longest step" : "duration / time step");
-  add("largest stable step", fmt::format("{:.3g} s", largest_step(p, d.limits)), "set by the " + d.limits.binding());
+  text += line("bulk modulus K", fmt::format("{:.4g} Pa", 1e3 * d.K),
+               std::string("E / (3 (1 - 2 nu))") + (graded ? "; here and below E is ecm.youngs_modulus" : ""));
+  text += line("shear modulus G", fmt::format("{:.4g} Pa", 1e3 * d.G), "E / (2 (1 + nu))");
+  text += line("relaxation in shear", duration_text(d.shear_time), "mu / G");
+  text += line("relaxation, compression", duration_text(d.compression_time), "mu / (K + 4G/3)");
+  text += line("particles", fmt::format("{}", d.particles()),
+               fmt::format("{} free, {} of them fluid from the start; {} clamped", d.free_particles, d.fluid_particles,
+                           d.clamped_particles));
+  text += line("neighbours", fmt::format("{:.0f}", d.neighbours), "of a particle, within the kernel's support of 2 h");
+  text += line("cortex", fmt::format("{:.3g} um", d.segment_length),
+               fmt::format("a segment of {}; a protrusion takes {:.3g} um", p.cell.particles, d.protrusion_width));
+  text += line("first protrusion", duration_text(d.first_wait),
+               fmt::format("on average; after that a cell without any waits {}", duration_text(d.wait)));
+  text += line("steps", fmt::format("{:.0f}", d.steps),
+               p.run.integrator == Integrator::adaptive ? "at least: duration / longest step" : "duration / time step");
+  text += line("largest stable step", fmt::format("{:.3g} s", largest_step(p, d.limits)),
+               "set by the " + d.limits.binding());
   if (const auto quicker = with_longer_steps(p, d))
-    add("integrator", "reference",
-        fmt::format("run.integrator = \"adaptive\" with run.time_step = \"{:.2g} s\" would take {}", quicker->time_step,
-                    duration_text(quicker->wall_time)));
+    text += line("integrator", "reference",
+                 fmt::format("run.integrator = \"adaptive\" with run.time_step = \"{:.2g} s\" would take {}",
+                             quicker->time_step, duration_text(quicker->wall_time)));
   else
-    add("integrator", p.run.integrator == Integrator::reference ? "reference" : "adaptive", "");
-  add_fibres(add, p, d);
+    text += line("integrator", p.run.integrator == Integrator::reference ? "reference" : "adaptive", "");
+  text += fibres_line(p, d);
   for (const FieldSummary& field : field_summaries(p).fields)
-    add(fmt::format("field {}", key_of(*field.row)),
-        fmt::format("{:.4g} to {:.4g}{}", field.low, field.high,
-                    field.row->unit == "1" ? "" : fmt::format(" {}", field.row->unit)),
-        fmt::format("{}; {}", section_of(*field.row), field.source));
-  add("memory", fmt::format("{:.0f} MB", d.cost.memory_bytes / 1e6), "estimate");
-  add("disk", fmt::format("{:.0f} MB", d.cost.disk_bytes / 1e6), "estimate; [output] of the scenario decides");
+    text += line(fmt::format("field {}", key_of(*field.row)),
+                 fmt::format("{:.4g} to {:.4g}{}", field.low, field.high,
+                             field.row->unit == "1" ? "" : fmt::format(" {}", field.row->unit)),
+                 fmt::format("{}; {}", section_of(*field.row), field.source));
+  text += line("memory", fmt::format("{:.0f} MB", d.cost.memory_bytes / 1e6), "estimate");
+  text += line("disk", fmt::format("{:.0f} MB", d.cost.disk_bytes / 1e6), "estimate; [output] of the scenario decides");
   const int threads = run::threads_of(p, d.particles()), most = run::threads_that_pay(d.particles());
-  add("threads", fmt::format("{}", threads),
-      p.run.threads > 0 ? "run.threads"
-      : threads == most ? "pay for so many particles"
-                        : fmt::format("of {} that pay for so many particles: no more cores are idle now", most));
-  add("wall time", duration_text(d.cost.wall_time),
-      "estimate, on one thread; see the notes of `matrigrate explain -h`");
+  text +=
+      line("threads", fmt::format("{}", threads),
+           p.run.threads > 0 ? "run.threads"
+           : threads == most ? "pay for so many particles"
+                             : fmt::format("of {} that pay for so many particles: no more cores are idle now", most));
+  text += line("wall time", duration_text(d.cost.wall_time),
+               "estimate, on one thread; see the notes of `matrigrate explain -h`");
   return text;
 }
 
@@ -240,7 +234,7 @@ int explain(const ExplainArguments& options) {
   const Derived d = derived(p);
   const std::vector<std::string> found = warnings(p, d);
   if (options.json) {
-    print(to_json(options, p, d, found).dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+    print_json(to_json(options, p, d, found));
     return done;
   }
   print(description(p, d) + laws_text(p));

@@ -17,7 +17,7 @@ void add_info(CLI::App& app, Action& chosen) {
   verb->add_flag("--json", *json, "Print it as JSON");
   verb->callback([json, &chosen] {
     chosen = [json] {
-      print(*json ? provenance().dump(2) + "\n" : provenance_text());
+      *json ? print_json(provenance()) : print(provenance_text());
       return done;
     };
   });

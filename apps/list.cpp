@@ -10,9 +10,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <functional>
 #include <memory>
-#include <utility>
-#include <vector>
 
 namespace matrigrate::apps {
 
@@ -24,14 +23,13 @@ struct ListArguments {
   bool readouts = false;
 };
 
-/// A name and what it stands for.
-using Entries = std::vector<std::pair<std::string, std::string>>;
-
-void print_entries(std::string_view title, std::string_view use, const Entries& entries) {
+/// The name of each, and what it stands for.
+template <class All, class Description>
+void print_entries(std::string_view title, std::string_view use, const All& all, const Description& description) {
   std::size_t width = 0;
-  for (const auto& [name, description] : entries) width = std::max(width, name.size());
+  for (const auto& one : all) width = std::max(width, one.name.size());
   print(fmt::format("{}, for {}\n", coloured(title, Colour::strong, Stream::out), use));
-  for (const auto& [name, description] : entries) print(fmt::format("  {:<{}}  {}\n", name, width, description));
+  for (const auto& one : all) print(fmt::format("  {:<{}}  {}\n", one.name, width, std::invoke(description, one)));
 }
 
 std::string title_of(const study::ShippedStudy& s) {
@@ -43,18 +41,10 @@ int print_list(const ListArguments& options) {
   if (options.schema) print(json_schema());
   if (options.readouts) print(store::readouts_json());
   if (options.parameters || options.schema || options.readouts) return done;
-  Entries entries;
-  for (const Preset& preset : presets()) entries.emplace_back(preset.name, preset.description);
-  print_entries("Presets", "matrigrate new FILE --preset NAME", entries);
-  entries.clear();
-  for (const Preset& law : published_laws()) entries.emplace_back(law.name, law.description);
-  print_entries("\nPublished laws", "matrigrate new FILE --law NAME", entries);
-  entries.clear();
-  for (const validation::Case& c : validation::cases()) entries.emplace_back(c.name, c.summary);
-  print_entries("\nCases", "matrigrate validate NAME", entries);
-  entries.clear();
-  for (const study::ShippedStudy& s : study::shipped_studies()) entries.emplace_back(s.name, title_of(s));
-  print_entries("\nStudies", "matrigrate reproduce and in studies/", entries);
+  print_entries("Presets", "matrigrate new FILE --preset NAME", presets(), &Preset::description);
+  print_entries("\nPublished laws", "matrigrate new FILE --law NAME", published_laws(), &Preset::description);
+  print_entries("\nCases", "matrigrate validate NAME", validation::cases(), &validation::Case::summary);
+  print_entries("\nStudies", "matrigrate reproduce and in studies/", study::shipped_studies(), title_of);
   return done;
 }
 

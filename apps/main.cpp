@@ -17,10 +17,7 @@
 #include <exception>
 #include <new>
 #include <sstream>
-#include <string>
-#include <string_view>
 #include <system_error>
-#include <vector>
 
 namespace matrigrate::apps {
 
@@ -109,15 +106,15 @@ int run_program(int argc, char** argv) {
 }
 
 int complain(std::string_view what, ExitCode code) {
-  print_error(fmt::format("{} {}\n", coloured("matrigrate:", Colour::bad, Stream::err), what));
+  print_failure(what);
   return code;
 }
 
 /// Takes no memory, as there is none.
 [[noreturn]] void end_without_memory() {
-  for (const std::string_view part :
-       {std::string_view("matrigrate: not enough memory"), advice_on_memory(), std::string_view("\n")})
-    [[maybe_unused]] const ssize_t written = ::write(STDERR_FILENO, part.data(), part.size());
+  say("matrigrate: not enough memory");
+  say(advice_on_memory());
+  say("\n");
   std::_Exit(numerical);
 }
 

@@ -14,9 +14,6 @@
 #include <memory>
 #include <optional>
 #include <span>
-#include <string>
-#include <string_view>
-#include <vector>
 
 namespace matrigrate::apps {
 
@@ -62,12 +59,10 @@ void write_schema(const std::filesystem::path& scenario) {
   if (std::filesystem::exists(std::filesystem::symlink_status(file))) {
     const std::string there = read_file(file, largest);
     if (there == text) return;
-    if (!there.starts_with(start)) { // not ours
-      print_error(fmt::format("{} {}: is not the schema of this version and was not changed; matrigrate "
-                              "list --schema-json prints the schema of this version\n",
-                              coloured("matrigrate:", Colour::warning, Stream::err), file.string()));
-      return;
-    }
+    if (!there.starts_with(start)) // not ours
+      return print_warning(fmt::format("{}: is not the schema of this version and was not changed; matrigrate list "
+                                       "--schema-json prints the schema of this version",
+                                       file.string()));
   }
   write_file(file, text);
   print(fmt::format("{}: for editors that complete and check TOML\n", file.string()));

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cstddef>
 #include <iterator>
 #include <stdexcept>
@@ -64,10 +65,7 @@ std::string tag_of(std::string_view change) {
   const std::size_t equals = change.find('=');
   const std::string_view key = change.substr(0, equals);
   if (equals == std::string_view::npos || key == seed || key == threads) return {};
-  const auto kept = [](char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '.' || c == '_'
-           || c == '-';
-  };
+  const auto kept = [](unsigned char c) { return std::isalnum(c) != 0 || c == '.' || c == '_' || c == '-'; };
   std::string tag = "-" + std::string(key.substr(key.rfind('.') + 1)) + "-";
   std::ranges::copy_if(change.substr(equals + 1), std::back_inserter(tag), kept);
   return tag;

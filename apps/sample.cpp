@@ -4,7 +4,6 @@
 #include "apps/verbs.hpp"
 #include "base/failure.hpp"
 #include "base/file.hpp"
-#include "parameters/nearest.hpp"
 #include "parameters/presets.hpp"
 #include "parameters/read.hpp"
 #include "simulation/start.hpp"
@@ -172,7 +171,7 @@ int sample(const SampleArguments& options) {
   const TemporaryFolder folder;
   const RunOutcome outcome = run_in(folder, request.p, options);
   if (outcome.end != RunEnd::completed) {
-    print_error(fmt::format("{} {}\n", coloured("matrigrate:", Colour::bad, Stream::err), outcome.sentence));
+    print_failure(outcome.sentence);
     return run::exit_code(outcome.end);
   }
   const std::vector<double> values = study::readouts_of(folder.path);

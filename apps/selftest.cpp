@@ -16,7 +16,6 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
-#include <functional>
 #include <memory>
 #include <thread>
 
@@ -121,7 +120,7 @@ int selftest(const SelftestArguments& options) {
   if (options.json) {
     Json list = Json::array();
     for (const Check& check : checks) list.push_back({{"what", check.what}, {"holds", check.holds}});
-    print(Json{{"hash", hash}, {"known_hash", known_hash}, {"checks", list}, {"holds", all}}.dump(2) + "\n");
+    print_json({{"hash", hash}, {"known_hash", known_hash}, {"checks", list}, {"holds", all}});
     return all ? done : numerical;
   }
   for (const Check& check : checks)

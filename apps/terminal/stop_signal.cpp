@@ -6,15 +6,12 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <array>
 #include <atomic>
 #include <cmath>
-#include <csignal>
-#include <cstddef>
 #include <cstdint>
 #include <cstdlib>
 #include <ctime>
-#include <string_view>
+#include <utility>
 
 namespace matrigrate::apps {
 
@@ -53,14 +50,16 @@ void handle(int number, siginfo_t* info, void* /*context*/) {
 /// The same. Time is up before the first step.
 void end_before_first_step(int /*number*/) {
   if (!note().building) return;
-  constexpr std::string_view text =
-      "matrigrate: stopped before the first step: nothing was computed since the start, and "
-      "nothing is lost. The same command starts again.\n";
-  [[maybe_unused]] const ssize_t written = ::write(STDERR_FILENO, text.data(), text.size());
+  say("matrigrate: stopped before the first step: nothing was computed since the start, and nothing is lost. The same "
+      "command starts again.\n");
   ::_exit(note().number == SIGINT ? interrupted : requeue);
 }
 
 } // namespace
+
+void say(std::string_view text) {
+  [[maybe_unused]] const ssize_t written = ::write(STDERR_FILENO, text.data(), text.size());
+}
 
 StopSignal::StopSignal() {
   note().number = 0;
@@ -98,32 +97,14 @@ int StopSignal::received() { return note().number; }
 
 namespace {
 
-constexpr std::array signals{SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT};
+constexpr std::array<std::pair<int, std::string_view>, 5> signals{
+    {{SIGSEGV, "SIGSEGV"}, {SIGBUS, "SIGBUS"}, {SIGFPE, "SIGFPE"}, {SIGILL, "SIGILL"}, {SIGABRT, "SIGABRT"}}};
 constexpr std::array<int, 8> codes{done, internal, usage, configuration, numerical, input_output, requeue, interrupted};
 
 /// True once a signal has come; of a type that a signal handler may write.
 std::atomic_flag& come() {
   static constinit std::atomic_flag the_flag;
   return the_flag;
-}
-
-std::string_view name_of(int signal) {
-  switch (signal) {
-  case SIGSEGV:
-    return "SIGSEGV";
-  case SIGBUS:
-    return "SIGBUS";
-  case SIGFPE:
-    return "SIGFPE";
-  case SIGILL:
-    return "SIGILL";
-  default:
-    return "SIGABRT";
-  }
-}
-
-void say(std::string_view text) {
-  [[maybe_unused]] const ssize_t written = ::write(STDERR_FILENO, text.data(), text.size());
 }
 
 /// Only calls that a signal handler may make.
@@ -138,7 +119,7 @@ void say(std::string_view text) {
 /// A second fault in here ends the program by its signal, which is blocked.
 [[noreturn]] void handle(int signal) {
   while (come().test_and_set()) ::pause(); // another thread is at it
-  end_at_once(name_of(signal));
+  end_at_once(std::ranges::find(signals, signal, &std::pair<int, std::string_view>::first)->second);
 }
 
 /// @param code  that exit() was called with, or main() returned
@@ -161,7 +142,7 @@ void give_sudden_ends_an_exit_code() {
   action.sa_handler = handle;
   action.sa_flags = SA_ONSTACK;
   ::sigfillset(&action.sa_mask);
-  for (const int signal : signals) ::sigaction(signal, &action, nullptr);
+  for (const auto& [signal, name] : signals) ::sigaction(signal, &action, nullptr);
   platform::at_exit(see_code);
 }
 

@@ -2,8 +2,8 @@
 
 #include <array>
 #include <csignal>
-#include <cstddef>
 #include <optional>
+#include <string_view>
 
 namespace matrigrate::apps {
 
@@ -35,6 +35,9 @@ private:
   std::array<struct sigaction, signals.size()> m_old{};
   struct sigaction m_old_alarm {};
 };
+
+/// Writes to the standard error as a signal handler may, and where there is no memory.
+void say(std::string_view text);
 
 /// From here on a sudden end of the program gives exit code 4 and one line on standard error. Sudden ends are the
 /// signals of a fault of the program or a library (SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT), and a library that calls

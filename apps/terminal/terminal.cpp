@@ -1,9 +1,11 @@
 #include "apps/terminal/terminal.hpp"
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
 #include <cmath>
 #include <cstdio>
@@ -30,23 +32,16 @@ bool shows_colours(Stream stream) {
 
 std::string coloured(std::string_view text, Colour colour, Stream stream) {
   if (!shows_colours(stream)) return std::string(text);
-  const auto code = [&] {
-    switch (colour) {
-    case Colour::bad:
-      return "31";
-    case Colour::good:
-      return "32";
-    case Colour::warning:
-      return "33";
-    default:
-      return "1";
-    }
-  }();
-  return fmt::format("\x1b[{}m{}\x1b[0m", code, text);
+  constexpr std::array codes{31, 32, 33, 1}; // in the order of Colour
+  return fmt::format("\x1b[{}m{}\x1b[0m", codes.at(static_cast<std::size_t>(colour)), text);
 }
 
 void print(std::string_view text) {
   if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size()) fail();
+}
+
+void print_json(const nlohmann::ordered_json& json) {
+  print(json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n");
 }
 
 void flush() {
@@ -60,6 +55,10 @@ void print_error(std::string_view text) {
 
 void print_warning(std::string_view text) {
   print_error(fmt::format("{} {}\n", coloured("matrigrate:", Colour::warning, Stream::err), text));
+}
+
+void print_failure(std::string_view text) {
+  print_error(fmt::format("{} {}\n", coloured("matrigrate:", Colour::bad, Stream::err), text));
 }
 
 void print_faults(const std::vector<Fault>& faults) {

@@ -3,6 +3,8 @@
 #include "base/failure.hpp"
 #include "statistics/compare.hpp"
 
+#include <nlohmann/json_fwd.hpp>
+
 #include <string>
 #include <string_view>
 #include <vector>
@@ -21,8 +23,12 @@ std::string coloured(std::string_view text, Colour colour, Stream stream);
 void print(std::string_view text);
 void flush();
 
+/// On lines of their own; what is no UTF-8 in it is replaced.
+void print_json(const nlohmann::ordered_json& json);
+
 void print_error(std::string_view text);
 void print_warning(std::string_view text); ///< a line, after the program's name
+void print_failure(std::string_view text); ///< the same in another colour
 void print_faults(const std::vector<Fault>& faults);
 
 // Tables of numbers for people, on the terminal. Test: tests/apps/study_test.cpp

@@ -8,9 +8,7 @@
 
 #include <algorithm>
 #include <regex>
-#include <string>
 #include <string_view>
-#include <vector>
 
 namespace matrigrate::apps {
 
