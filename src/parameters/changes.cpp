@@ -10,7 +10,6 @@
 #include <array>
 #include <cmath>
 #include <set>
-#include <string_view>
 #include <utility>
 
 namespace matrigrate {
@@ -58,21 +57,22 @@ std::string step_text(const Row& row, const Parameters& before, const Parameters
   return fmt::format("{} -> {}", from, to);
 }
 
-} // namespace
-
+/// Why the parameter cannot change while a simulation goes on: the initial state was made with it (geometry and lattice
+/// of the matrix, fields, size and particles of cell and nucleus). Fields are kept by the particles, stiffness as a
+/// ratio to ecm.youngs_modulus. Empty if it can.
 std::string fixed_by_start(const Row& row, const Parameters& before) {
-  constexpr std::array<std::string_view, 11> fixed{"ecm.radius",     "ecm.particle_spacing", "ecm.smoothing_length",
-                                                   "ecm.lattice",    "ecm.cell_hole",        "cell.radius",
-                                                   "cell.particles", "cell.start_x",         "cell.start_y",
-                                                   "nucleus.radius", "nucleus.particles"};
+  constexpr std::array fixed{"ecm.radius",    "ecm.particle_spacing", "ecm.smoothing_length", "ecm.lattice",
+                             "ecm.cell_hole", "cell.radius",          "cell.particles",       "cell.start_x",
+                             "cell.start_y",  "nucleus.radius",       "nucleus.particles"};
   if (kind(row) == Kind::field) return "fields are laid on the matrix at the start";
   if (std::ranges::find(fixed, row.path) != fixed.end()) return "matrix and cells are made with it at the start";
-  for (const auto& [path, field] :
-       {std::pair<std::string_view, const std::string&>("ecm.youngs_modulus", before.ecm.fields.youngs_modulus),
-        std::pair<std::string_view, const std::string&>("fibres.stiffness", before.fibres.field.stiffness)})
-    if (row.path == path && !field.empty()) return "a field takes its place, laid on the matrix at the start";
+  if ((row.path == "ecm.youngs_modulus" && !before.ecm.fields.youngs_modulus.empty())
+      || (row.path == "fibres.stiffness" && !before.fibres.field.stiffness.empty()))
+    return "a field takes its place, laid on the matrix at the start";
   return {};
 }
+
+} // namespace
 
 std::string fixed_in_run(const Row& row, const Parameters& before) {
   if (section_of(row) == "run" || section_of(row) == "output")

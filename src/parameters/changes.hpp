@@ -11,15 +11,11 @@
 /// Test: tests/unit/parameters/changes_test.cpp, tests/physics/simulation_test.cpp
 namespace matrigrate {
 
-/// Why the parameter cannot change while a simulation goes on: the initial state was made with it (geometry and lattice
-/// of the matrix, fields, size and particles of cell and nucleus). Fields are kept by the particles, stiffness as a
-/// ratio to ecm.youngs_modulus. Empty if it can.
-std::string fixed_by_start(const Row& row, const Parameters& before);
-
-/// The same of [[changes]], in which parameters of a whole run cannot stand either; a branch can have others.
+/// Why the parameter cannot change by [[changes]]: the initial state was made with it, or it holds for a whole run.
+/// Empty if it can.
 std::string fixed_in_run(const Row& row, const Parameters& before);
 
-/// One fault for each parameter that differs and is fixed_by_start(), and for other cells.
+/// One fault for each parameter that differs, but the initial state was made with it, and for other cells.
 /// @param place  where the new values were given: "--set"
 std::vector<Fault> faults_of_change(const Parameters& before, const Parameters& after, const std::string& place);
 

@@ -83,9 +83,7 @@ struct FibreParameters {
   FibreFieldParameters field;
 };
 
-/// How the drag system of a step is solved:
-/// conjugate gradients with multigrid as their preconditioner,
-/// or with the diagonal.
+/// How the drag system of a step is solved: by conjugate gradients, preconditioned by multigrid or by the diagonal.
 enum class SolverMethod { multigrid, conjugate_gradient };
 
 struct CellParameters {

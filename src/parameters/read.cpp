@@ -6,7 +6,6 @@
 #include "parameters/assign.hpp"
 #include "parameters/changes.hpp"
 #include "parameters/document.hpp"
-#include "parameters/fault_list.hpp"
 #include "parameters/laws/constants.hpp"
 #include "parameters/nearest.hpp"
 #include "parameters/schema.hpp"
@@ -21,7 +20,6 @@
 #include <map>
 #include <set>
 #include <stdexcept>
-#include <string_view>
 #include <tuple>
 #include <utility>
 

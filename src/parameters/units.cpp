@@ -9,10 +9,8 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdlib>
-#include <limits>
 #include <numbers>
 #include <optional>
-#include <stdexcept>
 #include <utility>
 #include <vector>
 
@@ -57,13 +55,8 @@ constexpr std::array symbols{
     Symbol{"day", day, false},
 };
 
-struct Prefix {
-  std::string_view text;
-  int ten;
-};
-
-constexpr std::array prefixes{Prefix{"p", -12}, Prefix{"n", -9}, Prefix{"u", -6}, Prefix{"µ", -6}, Prefix{"μ", -6},
-                              Prefix{"m", -3},  Prefix{"c", -2}, Prefix{"k", 3},  Prefix{"M", 6},  Prefix{"G", 9}};
+constexpr std::array<std::pair<std::string_view, int>, 10> prefixes{
+    {{"p", -12}, {"n", -9}, {"u", -6}, {"µ", -6}, {"μ", -6}, {"m", -3}, {"c", -2}, {"k", 3}, {"M", 6}, {"G", 9}}};
 
 std::optional<Unit> find_symbol(std::string_view text) {
   const auto is = [text](std::string_view symbol) { // words have a plural: "hours"
@@ -71,15 +64,13 @@ std::optional<Unit> find_symbol(std::string_view text) {
   };
   for (const Symbol& symbol : symbols) // whole symbols first: "min" is a minute, no milli-inch
     if (is(symbol.text)) return symbol.unit;
-  for (const Prefix& prefix : prefixes) {
-    if (!text.starts_with(prefix.text)) continue;
+  for (const auto& [prefix, ten] : prefixes)
     for (const Symbol& symbol : symbols)
-      if (symbol.prefixes && text.substr(prefix.text.size()) == symbol.text) {
+      if (symbol.prefixes && text.starts_with(prefix) && text.substr(prefix.size()) == symbol.text) {
         Unit unit = symbol.unit;
-        unit.ten += prefix.ten * one;
+        unit.ten += ten * one;
         return unit;
       }
-  }
   return std::nullopt;
 }
 
@@ -88,26 +79,11 @@ bool is_space(char c) { return c == ' ' || c == '\t'; }
 
 /// Characters of the decimal number that starts the text; 0 if none does.
 std::size_t number_length(std::string_view text) {
-  std::size_t end = 0;
-  const auto digits = [&] {
-    const std::size_t start = end;
-    while (end < text.size() && is_digit(text[end])) ++end;
-    return end - start;
-  };
-  if (text.starts_with('-') || text.starts_with('+')) ++end;
-  std::size_t count = digits();
-  if (end < text.size() && text[end] == '.') {
-    ++end;
-    count += digits();
-  }
-  if (count == 0) return 0;
-  const std::size_t mantissa = end;
-  if (end < text.size() && (text[end] == 'e' || text[end] == 'E')) {
-    ++end;
-    if (end < text.size() && (text[end] == '-' || text[end] == '+')) ++end;
-    if (digits() == 0) end = mantissa; // no exponent, but a unit that starts with e
-  }
-  return end;
+  const std::size_t sign = text.starts_with('-') || text.starts_with('+') ? 1 : 0;
+  if (sign == text.size() || (!is_digit(text[sign]) && text[sign] != '.')) return 0; // nan and inf are none
+  double number = 0.0; // an e without digits behind it is no exponent, but begins a unit
+  const auto [end, error] = std::from_chars(text.data() + sign, text.data() + text.size(), number);
+  return error == std::errc::invalid_argument ? 0 : static_cast<std::size_t>(end - text.data());
 }
 
 /// Reads a unit from left to right.

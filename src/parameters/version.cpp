@@ -9,7 +9,6 @@
 #include <charconv>
 #include <cstddef>
 #include <sstream>
-#include <utility>
 
 namespace matrigrate {
 

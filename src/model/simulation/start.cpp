@@ -4,7 +4,7 @@
 #include "cell/nucleus.hpp"
 #include "ecm/bonds.hpp"
 #include "ecm/law/fibre_table.hpp"
-#include "parameters/laws/law_values.hpp"
+#include "parameters/laws/law.hpp"
 #include "simulation/start_fields.hpp"
 #include "simulation/step_limits.hpp"
 

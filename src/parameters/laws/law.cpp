@@ -3,7 +3,6 @@
 #include "base/failure.hpp"
 #include "parameters/laws/constants.hpp"
 #include "parameters/laws/law_names.hpp"
-#include "parameters/laws/law_values.hpp"
 #include "parameters/nearest.hpp"
 
 #include <fmt/format.h>
@@ -64,10 +63,10 @@ std::vector<std::string> names_of_two(const Row& law, const Parameters& p) {
 /// first of all.
 std::vector<std::size_t> drawn_over(const std::vector<bool>& changed, const std::vector<bool>& usual) {
   std::vector<std::size_t> found;
-  for (const std::vector<bool>* used : {&changed, &usual})
-    for (std::size_t k = 0; k < used->size() && (used == &changed || found.empty()); ++k)
-      if ((*used)[k]) found.push_back(k);
-  if (found.empty()) found.push_back(0);
+  for (std::size_t k = 0; k < changed.size(); ++k)
+    if (changed[k]) found.push_back(k);
+  const auto first = std::ranges::find(usual, true);
+  if (found.empty()) found.push_back(first == usual.end() ? 0 : static_cast<std::size_t>(first - usual.begin()));
   return found;
 }
 

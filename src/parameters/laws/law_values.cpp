@@ -1,14 +1,13 @@
-#include "parameters/laws/law_values.hpp"
-
 #include "parameters/laws/law.hpp"
+
 #include "parameters/laws/law_names.hpp"
+#include "parameters/rules.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <stdexcept>
 
 namespace matrigrate {
 

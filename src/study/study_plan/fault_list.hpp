@@ -1,7 +1,7 @@
 #pragma once
 
 #include "base/failure.hpp"
-#include "parameters/fault_list.hpp"
+#include "parameters/document.hpp"
 
 #include <toml++/toml.h>
 

@@ -5,7 +5,6 @@
 #include "faults.hpp"
 #include "parameters/laws/constants.hpp"
 #include "parameters/laws/law_names.hpp"
-#include "parameters/laws/law_values.hpp"
 #include "parameters/write.hpp"
 
 #include <fmt/format.h>

@@ -2,7 +2,7 @@
 #include "faults.hpp"
 #include "parameters/assign.hpp"
 #include "parameters/closures.hpp"
-#include "parameters/fault_list.hpp"
+#include "parameters/document.hpp"
 #include "parameters/nearest.hpp"
 #include "parameters/presets.hpp"
 #include "parameters/read.hpp"

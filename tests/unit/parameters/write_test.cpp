@@ -2,7 +2,6 @@
 #include "parameters/assign.hpp"
 #include "parameters/laws/constants.hpp"
 #include "parameters/laws/law.hpp"
-#include "parameters/laws/law_values.hpp"
 #include "parameters/read.hpp"
 #include "parameters/rules.hpp"
 #include "parameters/schema.hpp"

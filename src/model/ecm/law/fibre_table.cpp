@@ -1,7 +1,6 @@
 #include "ecm/law/fibre_table.hpp"
 
 #include "parameters/laws/law.hpp"
-#include "parameters/laws/law_values.hpp"
 
 #include <Eigen/LU>
 #include <fmt/format.h>
