@@ -59,8 +59,7 @@ int copy_page(const fs::path& page, const fs::path& file) {
 int show_live(const LiveArguments& options) {
   const fs::path page = live_page();
   if (!options.copy.empty()) return copy_page(page, options.copy);
-  if (options.only_print || !open_in_browser(page))
-    print(fmt::format("{}{}\n", options.only_print ? "" : "open ", page.string()));
+  show_page(page, options.only_print);
   return done;
 }
 

@@ -1,23 +1,36 @@
 #include "apps/browser.hpp"
 #include "apps/terminal/terminal.hpp"
 #include "apps/verbs.hpp"
+#include "base/failure.hpp"
+#include "run/folder_state.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include <memory>
-#include <string>
 
 namespace matrigrate::apps {
 
 namespace {
 
-int open_page(const std::string& folder, bool only_print) {
-  const std::filesystem::path page = page_of(folder);
-  if (only_print || !open_in_browser(page))
-    print(
-        fmt::format("{}{}\n", only_print ? "" : "open ", std::filesystem::absolute(page).lexically_normal().string()));
-  return done;
+namespace fs = std::filesystem;
+
+/// The page of a folder: report.html, or the newest report-<ID>.html that `reproduce` wrote; a page itself.
+/// @throws InputOutputError if there is none, saying how to make one
+fs::path page_of(const fs::path& folder) {
+  std::error_code error;
+  if (fs::is_regular_file(folder, error) && folder.extension() == ".html") return folder;
+  if (fs::is_regular_file(folder / "report.html", error)) return folder / "report.html";
+  require(run::look_at(folder), run::Use::see_files);
+  fs::path newest;
+  for (const auto& entry : fs::directory_iterator(folder)) {
+    const bool page = entry.path().extension() == ".html" && entry.path().filename().string().starts_with("report-");
+    if (page && (newest.empty() || entry.last_write_time() > fs::last_write_time(newest))) newest = entry.path();
+  }
+  if (newest.empty())
+    throw InputOutputError(fmt::format("{}: has no report.html; for a run or a study, `matrigrate report {}` writes it",
+                                       folder.string(), folder.string()));
+  return newest;
 }
 
 } // namespace
@@ -30,7 +43,12 @@ void add_open(CLI::App& app, Action& chosen) {
   const auto only_print = std::make_shared<bool>(false);
   verb->add_option("DIR", *folder, "Folder of a run, of a study or of `reproduce`; or a page itself")->required();
   verb->add_flag("--print", *only_print, "Only print where the page is");
-  verb->callback([=, &chosen] { chosen = [=] { return open_page(*folder, *only_print); }; });
+  verb->callback([=, &chosen] {
+    chosen = [=] {
+      show_page(page_of(*folder), *only_print);
+      return done;
+    };
+  });
 }
 
 } // namespace matrigrate::apps
