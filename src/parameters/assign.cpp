@@ -44,9 +44,8 @@ Typed typed_string(const Row& row, const std::string& text) {
   if (kind(row) == Kind::ratio) {
     const std::string such = fmt::format("such as {}", example(row));
     if (text.find_first_of("0123456789") == std::string::npos)
-      throw std::invalid_argument(
-          fmt::format("{} is no number; allowed is {}, {}", quoted_excerpt(text), allowed_text(row), such));
-    throw std::invalid_argument(fmt::format("is a string; write a bare number without quotes, {}", such));
+      refuse("{} is no number; allowed is {}, {}", quoted_excerpt(text), allowed_text(row), such);
+    refuse("is a string; write a bare number without quotes, {}", such);
   }
   const bool angle = kind(row) == Kind::angle;
   const std::string such = fmt::format("write it like {}", angle ? "\"30 deg\"" : example(row));
@@ -58,18 +57,15 @@ Typed typed_string(const Row& row, const std::string& text) {
   } catch (const std::invalid_argument& error) {
     const auto* more = dynamic_cast<const units::Unreadable*>(&error);
     const char* link = more != nullptr && more->names_part ? ": " : " ";
-    if (more != nullptr && more->advises)
-      throw std::invalid_argument(fmt::format("{}{}{}", quoted_excerpt(text), link, error.what()));
-    throw std::invalid_argument(
-        fmt::format("{}{}{}; {}", quoted_excerpt(text), link, excerpt(error.what(), 120), such));
+    if (more != nullptr && more->advises) refuse("{}{}{}", quoted_excerpt(text), link, error.what());
+    refuse("{}{}{}; {}", quoted_excerpt(text), link, excerpt(error.what(), 120), such);
   }
   if (quantity.unit.empty())
-    throw std::invalid_argument(
-        fmt::format("{} has no unit; {}, or as a bare number in {}", quoted_excerpt(text), such, row.unit));
+    refuse("{} has no unit; {}, or as a bare number in {}", quoted_excerpt(text), such, row.unit);
   const units::Dimension expected = units::parse_unit(row.unit).dimension;
   if (typed.unit.dimension != expected)
-    throw std::invalid_argument(fmt::format("{} is {}, but {} is expected; {}", quoted_excerpt(text),
-                                            to_string(typed.unit.dimension), to_string(expected), such));
+    refuse("{} is {}, but {} is expected; {}", quoted_excerpt(text), to_string(typed.unit.dimension),
+           to_string(expected), such);
   if (angle) typed.unit = units::quotient(typed.unit, units::parse_unit(row.unit));
   return typed;
 }
@@ -80,7 +76,7 @@ Typed typed(const Row& row, const Given& given) {
   const std::string number = digits_of(given);
   if (number.empty()) throw std::invalid_argument(wrong_type(row, given));
   if (const auto* real = std::get_if<double>(&given.value); real != nullptr && !std::isfinite(*real))
-    throw std::invalid_argument(fmt::format("{} is not a finite number", number));
+    refuse("{} is not a finite number", number);
   return {number, unit_of(row), row.unit == "1" ? number : fmt::format("{} {}", number, row.unit)};
 }
 

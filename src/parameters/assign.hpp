@@ -26,8 +26,6 @@ std::string digits_of(const Given& given);
 /// @return what is wrong and what is allowed; empty if nothing is
 std::string assign(const Row& row, const Given& given, Parameters& p);
 
-// What stands at a place of a TOML file. Test: tests/unit/parameters/read_test.cpp
-
 /// The kind of a value in words: "a table", "a number".
 std::string_view type_of(const toml::node& node);
 

@@ -2,12 +2,14 @@
 
 #include "base/failure.hpp"
 
+#include <fmt/format.h>
 #include <toml++/toml.h>
 
 #include <cstddef>
 #include <filesystem>
 #include <functional>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <unordered_set>
@@ -45,6 +47,12 @@ std::string_view trimmed(std::string_view text);
 
 /// A piece of a file for a message: control characters replaced, cut to `most` characters.
 std::string excerpt(std::string_view text, std::size_t most = 60);
+
+/// @throws std::invalid_argument with a text as fmt::format makes it
+template <class... Values>
+[[noreturn]] void refuse(fmt::format_string<Values...> text, Values&&... values) {
+  throw std::invalid_argument(fmt::format(text, std::forward<Values>(values)...));
+}
 
 // Faults while files are read, at a cost that is linear in their number. Test:
 // tests/unit/parameters/parameters_test.cpp

@@ -13,7 +13,7 @@ class Grids;
 
 /// Every parameter of a simulation, in internal units: um, s, nN; stress in kPa, viscosity in nN s/um^2 = 1000 Pa s.
 /// Defaults are Table 1 of Heck et al. 2020 and the interpretations of MODEL.md. Their names, units, ranges and sources
-/// are in schema.cpp alone; presets.cpp, closures.cpp and study_plan/settings.cpp name some of them.
+/// are in schema.cpp alone; presets.cpp, version.cpp and study_plan/settings.cpp name some of them.
 namespace matrigrate {
 
 /// Arrangement of the matrix particles at the start.

@@ -1,7 +1,6 @@
 #include "parameters/presets.hpp"
 
 #include "parameters/read.hpp"
-#include "parameters/schema.hpp"
 
 #include <fmt/format.h>
 
@@ -11,22 +10,12 @@ namespace matrigrate {
 
 namespace {
 
-Preset preset_of(const Template& file) {
-  const std::size_t start = file.text.find("\n# ") + 3;
-  Preset preset{file.name, file.text.substr(start, file.text.find(".\n", start) - start), {}, file.text};
-  const Parameters p = parse_parameters(file.text, fmt::format("{}.toml", file.name));
-  const Parameters usual = parameters_of({});
-  for (const Row& row : schema()) {
-    std::string value = value_text(row, p);
-    if (value == value_text(row, usual)) continue;
-    std::erase(value, '"');
-    preset.overrides.push_back(fmt::format("{}={}", row.path, value));
+/// All of these, and behind them those of files.
+std::vector<Preset> with_files(std::vector<Preset> all, std::span<const Template> files = templates()) {
+  for (const Template& file : files) {
+    const std::size_t start = file.text.find("\n# ") + 3;
+    all.push_back({file.name, file.text.substr(start, file.text.find(".\n", start) - start), {}, file.text});
   }
-  return preset;
-}
-
-std::vector<Preset> with_templates(std::vector<Preset> all) {
-  for (const Template& file : templates()) all.push_back(preset_of(file));
   return all;
 }
 
@@ -46,7 +35,7 @@ std::span<const Preset> presets() {
     overrides.insert(overrides.end(), {"cell.start_x=-60 um", "output.track_interval=2 min"});
     return overrides;
   };
-  static const std::vector<Preset> all = with_templates({
+  static const std::vector<Preset> all = with_files({
       {"baseline", "The paper's baseline: a matrix of 200 Pa (Figs 5 to 7)", {}},
       {"second-closures",
        "The baseline with the second set of closures, the default of version 0.2.0",
@@ -143,11 +132,7 @@ std::span<const Preset> presets() {
 }
 
 std::span<const Preset> published_laws() {
-  static const std::vector<Preset> all = [] {
-    std::vector<Preset> found;
-    for (const Template& file : law_files()) found.push_back(preset_of(file));
-    return found;
-  }();
+  static const std::vector<Preset> all = with_files({}, law_files());
   return all;
 }
 
@@ -157,6 +142,7 @@ const Preset* find_preset(std::string_view name, std::span<const Preset> among) 
 }
 
 Parameters parameters_of(const Preset& preset) {
+  if (!preset.text.empty()) return parse_parameters(preset.text, fmt::format("{}.toml", preset.name));
   std::vector<std::string> overrides{"run.integrator=adaptive"};
   overrides.insert(overrides.end(), preset.overrides.begin(), preset.overrides.end());
   return apply_overrides({}, overrides);

@@ -36,8 +36,10 @@ constexpr std::size_t largest_file = std::size_t{1} << 20;
 constexpr std::size_t longest_override = 4096;
 const std::string all_constants = "laws.constants";
 
-/// The key by which rules know a path: of a constant of the laws that of all.
-std::string rule_key(const std::string& path) { return constant_name(path).empty() ? path : all_constants; }
+/// The key by which rules know a path: of a constant of the laws that of all, and so of a cell.
+std::string rule_key(const std::string& path) {
+  return path.starts_with("cells[") ? "cells" : constant_name(path).empty() ? path : all_constants;
+}
 
 /// Where a value was given.
 struct Place {
@@ -310,10 +312,8 @@ private:
     m_given.insert_or_assign("cells", place);
     m_parameters.cells.clear();
     m_cell_places.clear();
-    const toml::array* cells = node.as_array();
-    if (cells == nullptr)
-      return complain(place, "cells",
-                      fmt::format("is {}, but an array of tables is expected; {}", type_of(node), form_of_cells));
+    const toml::array* cells = array_at(node, "cells", form_of_cells, place);
+    if (cells == nullptr) return;
     if (cells->empty())
       return complain(
           place, "cells",
@@ -321,18 +321,29 @@ private:
     if (cells->size() > max_cells)
       return complain(place, "cells", fmt::format("has {} cells; allowed are 1 to {}", cells->size(), max_cells));
     for (std::size_t k = 0; k < cells->size(); ++k)
-      if (const toml::table* table = cells->get(k)->as_table())
-        take_cell(*table, cell_key(k), place.file);
-      else
-        blame_cell(place_of(place.file, cells->get(k)->source()), cell_key(k),
-                   fmt::format("is {}, but a table is expected; {}", type_of(*cells->get(k)), form_of_cells));
+      if (const toml::table* table = table_at(*cells, k, "cells", form_of_cells, place.file))
+        take_cell(*table, key_at("cells", k), place.file);
   }
 
-  static std::string cell_key(std::size_t cell) { return fmt::format("cells[{}]", cell + 1); }
+  /// "cells[1]"
+  static std::string key_at(std::string_view list, std::size_t k) { return fmt::format("{}[{}]", list, k + 1); }
 
-  void blame_cell(const Place& place, const std::string& key, std::string message) {
-    m_blamed.insert("cells");
-    complain(place, key, std::move(message));
+  /// An array of tables; null, and a fault, if it is none.
+  const toml::array* array_at(const toml::node& node, const std::string& path, std::string_view form,
+                              const Place& place) {
+    if (!node.is_array())
+      complain(place, path, fmt::format("is {}, but an array of tables is expected; {}", type_of(node), form));
+    return node.as_array();
+  }
+
+  /// One of them; the same.
+  const toml::table* table_at(const toml::array& list, std::size_t k, std::string_view path, std::string_view form,
+                              const std::string& file) {
+    const toml::node& node = *list.get(k);
+    if (!node.is_table())
+      complain(place_of(file, node.source()), key_at(path, k),
+               fmt::format("is {}, but a table is expected; {}", type_of(node), form));
+    return node.as_table();
   }
 
   /// A cell, whose keys are those of cell_rows().
@@ -345,8 +356,8 @@ private:
       std::string fault = node == nullptr ? fmt::format("has no {0}; write it like {0} = \"40 um\"", key)
                                           : assign(row, given_by(*node), one);
       if (!fault.empty())
-        blame_cell(place_of(file, (node == nullptr ? table : *node).source()),
-                   node == nullptr ? cell : fmt::format("{}.{}", cell, key), std::move(fault));
+        complain(place_of(file, (node == nullptr ? table : *node).source()),
+                 node == nullptr ? cell : fmt::format("{}.{}", cell, key), std::move(fault));
     }
     for (const auto& [name, node] : table) {
       const std::string key(name.str());
@@ -354,25 +365,20 @@ private:
       const std::string hint = find_row("cell." + key) != nullptr
                                    ? fmt::format("; all cells are alike, with cell.{} of the section [cell]", key)
                                    : did_you_mean(nearest(key, keys));
-      blame_cell(place_of(file, name.source()), fmt::format("{}.{}", cell, excerpt(key, 60)),
-                 fmt::format("there is no such key; a cell has x and y{}", hint));
+      complain(place_of(file, name.source()), fmt::format("{}.{}", cell, excerpt(key, 60)),
+               fmt::format("there is no such key; a cell has x and y{}", hint));
     }
     m_parameters.cells.push_back(one.cells.empty() ? CellStart{} : one.cells.front());
     m_cell_places.push_back(place_of(file, table.source()));
   }
-
-  /// What a change is called in faults.
-  static std::string change_key(std::size_t k) { return fmt::format("changes[{}]", k + 1); }
 
   /// Keeps [[changes]] until all else is read: what they mean depends on it.
   void take_changes(const std::string& path, const toml::node& node, const Place& place) {
     if (!m_within.empty())
       return complain(place, path, "cannot stand in a change; write below `at` parameters with their new values");
     m_given.insert_or_assign(path, place);
-    m_changes = node.as_array();
-    if (m_changes == nullptr)
-      return complain(place, path,
-                      fmt::format("is {}, but an array of tables is expected; {}", type_of(node), form_of_changes));
+    m_changes = array_at(node, path, form_of_changes, place);
+    if (m_changes == nullptr) return;
     if (m_changes->size() <= max_changes) return;
     complain(place, path, fmt::format("has {} tables; allowed are up to {}", m_changes->size(), max_changes));
     m_changes = nullptr;
@@ -384,16 +390,13 @@ private:
     const std::string file = m_given.at("changes").file;
     std::multimap<double, std::size_t> order;
     for (std::size_t k = 0; k < m_changes->size(); ++k)
-      if (const toml::table* table = m_changes->get(k)->as_table())
-        order.emplace(time_of_change(*table, change_key(k), file), k);
-      else
-        complain(place_of(file, m_changes->get(k)->source()), change_key(k),
-                 fmt::format("is {}, but a table is expected; {}", type_of(*m_changes->get(k)), form_of_changes));
+      if (const toml::table* table = table_at(*m_changes, k, "changes", form_of_changes, file))
+        order.emplace(time_of_change(*table, key_at("changes", k), file), k);
     m_parameters.changes.clear();
     Parameters now = m_parameters;
     std::vector<TimedChange> changes;
     for (const auto& [at, k] : order) {
-      m_within = change_key(k) + ".";
+      m_within = key_at("changes", k) + ".";
       read_change(*m_changes->get(k)->as_table(), at, file, now, changes);
     }
     m_within.clear();
@@ -486,7 +489,7 @@ private:
       if (m_blamed.contains(key)) return;
     if (m_cell_places.empty()) return;
     for (CellFault& fault : cell_faults(m_parameters))
-      add(m_cell_places[fault.cell], cell_key(fault.cell), std::move(fault.message));
+      add(m_cell_places[fault.cell], key_at("cells", fault.cell), std::move(fault.message));
   }
 
   static bool is_blamed(const Rule& rule, const std::set<std::string, std::less<>>& keys) {

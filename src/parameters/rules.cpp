@@ -174,13 +174,12 @@ constexpr const char* few_enough = "not too many particles";
 std::vector<Rule> with_laws(std::vector<Rule> rules) {
   std::vector<Rule> all;
   for (const Row& law : law_rows())
-    if (kind(law) == Kind::law)
-      all.push_back({readable_rule(law),
-                     {law.path, "laws.constants"},
-                     [&law](const Parameters& p) { return fault_of_law(p, law); },
-                     {},
-                     [&law](const Parameters& p) { return is_changed(law, p); },
-                     true});
+    all.push_back({readable_rule(law),
+                   {law.path, "laws.constants"},
+                   [&law](const Parameters& p) { return fault_of_law(p, law); },
+                   {},
+                   [&law](const Parameters& p) { return is_changed(law, p); },
+                   true});
   std::move(rules.begin(), rules.end(), std::back_inserter(all));
   return all;
 }

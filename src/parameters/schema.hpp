@@ -101,7 +101,7 @@ std::span<const Row> cell_rows();
 /// The key `at` of one table of [[changes]]; its member is that of the last of Parameters::changes.
 const Row& change_time();
 
-/// The part of schema() that is the section [laws]; the last one is laws.constants.
+/// The part of schema() that is the laws: the section [laws] without laws.constants.
 std::span<const Row> law_rows();
 
 /// What the laws of a cell may use besides their own arguments: place, time, matrix around, protrusion.

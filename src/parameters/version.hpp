@@ -84,4 +84,16 @@ std::optional<std::string> formula_of_gone(const Gone& parameter, std::string_vi
 /// @param place  stands for the file in them
 std::vector<Fault> faults_of_gone(const Parameters& p, const std::string& place);
 
+// Which set of closures the parameters of a run belong to. Versions had other sets as their defaults; a file that
+// names some values of one and leaves out others mixes them.
+
+struct Closures {
+  std::string text; ///< "third set"; "third set, but for contact.fluid_share = 0.3"; "mixed: of the third set ...; of
+                    ///< the second ..." if no set has all values that any set has
+  std::string note; ///< what to do about closures that are not those of today's default, a sentence; empty for the
+                    ///< third set, with or without values of no set
+};
+
+Closures closures_of(const Parameters& p);
+
 } // namespace matrigrate

@@ -4,7 +4,6 @@
 #include "base/text.hpp"
 #include "cues/sensing.hpp"
 #include "ecm/law/material.hpp"
-#include "parameters/closures.hpp"
 #include "parameters/laws/law.hpp"
 #include "parameters/version.hpp"
 #include "simulation/start.hpp"

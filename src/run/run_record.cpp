@@ -3,7 +3,6 @@
 #include "base/file.hpp"
 #include "base/text.hpp"
 #include "parameters/changes.hpp"
-#include "parameters/closures.hpp"
 #include "parameters/laws/law.hpp"
 #include "parameters/schema.hpp"
 #include "parameters/version.hpp"

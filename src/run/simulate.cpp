@@ -4,7 +4,7 @@
 #include "base/parallel.hpp"
 #include "base/platform.hpp"
 #include "base/text.hpp"
-#include "parameters/closures.hpp"
+#include "parameters/version.hpp"
 #include "run/estimate.hpp"
 #include "run/run_folder.hpp"
 #include "simulation/march.hpp"

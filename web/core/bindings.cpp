@@ -325,7 +325,6 @@ std::string law_list() {
     const Parameters usual;
     Json all = Json::array();
     for (const Row& law : law_rows()) {
-      if (kind(law) != Kind::law) continue;
       Json names = Json::array();
       for (const LawVariable& argument : law.arguments) names.push_back(argument.name);
       all.push_back({{"path", law.path},

@@ -61,11 +61,9 @@ std::string value_of(const LawConstant& constant) {
 /// A constant without a range.   @param typed  "0.1 nN", "2"
 /// @throws std::invalid_argument saying what is wrong with the name, or the value
 LawConstant constant_of(std::string_view name, std::string_view typed) {
-  if (!is_name(name))
-    throw std::invalid_argument(
-        fmt::format("\"{}\" is no name; allowed are letters, digits and _, at most 40 of them", excerpt(name)));
+  if (!is_name(name)) refuse("\"{}\" is no name; allowed are letters, digits and _, at most 40 of them", excerpt(name));
   if (const std::string owner = owner_of_name(name); !owner.empty() && !came_later(name))
-    throw std::invalid_argument(fmt::format("{} is taken: it is {}; choose another name", name, owner));
+    refuse("{} is taken: it is {}; choose another name", name, owner);
   try {
     const units::Quantity quantity = units::parse_quantity(typed);
     const units::Unit unit = units::parse_unit(quantity.unit);
@@ -74,9 +72,8 @@ LawConstant constant_of(std::string_view name, std::string_view typed) {
             made_row(name, of_formulas.empty() ? "1" : of_formulas, {-any, any})};
   } catch (const std::invalid_argument& error) {
     const auto* more = dynamic_cast<const units::Unreadable*>(&error);
-    throw std::invalid_argument(fmt::format("the value of {}, \"{}\"{} {}", name, excerpt(typed),
-                                            more != nullptr && more->names_part ? ":" : "",
-                                            excerpt(error.what(), 200)));
+    refuse("the value of {}, \"{}\"{} {}", name, excerpt(typed), more != nullptr && more->names_part ? ":" : "",
+           excerpt(error.what(), 200));
   }
 }
 
@@ -86,9 +83,8 @@ std::string typed_at(std::string_view name, const toml::node& node) {
   const auto* text = std::get_if<std::string>(&given.value);
   std::string typed = text == nullptr ? digits_of(given) : *text;
   if (text == nullptr && typed.empty())
-    throw std::invalid_argument(fmt::format(
-        "the value of {} is {}; write a number with its unit in quotes, such as \"0.1 nN\", or a plain number", name,
-        given.type));
+    refuse("the value of {} is {}; write a number with its unit in quotes, such as \"0.1 nN\", or a plain number", name,
+           given.type);
   return typed;
 }
 
@@ -97,7 +93,7 @@ LawConstant bound_of(const LawConstant& constant, const toml::node& node) {
   Parameters p;
   p.laws.constants = {constant};
   if (const std::string fault = assign(*constant.row, given_by(node), p); !fault.empty())
-    throw std::invalid_argument(fmt::format("the range of {}: {}", constant.name, fault));
+    refuse("the range of {}: {}", constant.name, fault);
   return p.laws.constants.front();
 }
 
@@ -107,18 +103,16 @@ double number_in_unit(const LawConstant& constant) { return units::number_in(con
 void set_range(const toml::node& node, LawConstant& constant) {
   const toml::array* list = node.as_array();
   if (list == nullptr || list->size() != 2)
-    throw std::invalid_argument(
-        fmt::format("the range of {} is {}; write it like [\"0.1 nN\", \"1 nN\"], low and high", constant.name,
-                    list == nullptr ? std::string(type_of(node)) : fmt::format("of {} values", list->size())));
+    refuse("the range of {} is {}; write it like [\"0.1 nN\", \"1 nN\"], low and high", constant.name,
+           list == nullptr ? std::string(type_of(node)) : fmt::format("of {} values", list->size()));
   const LawConstant low = bound_of(constant, *list->get(0));
   const LawConstant high = bound_of(constant, *list->get(1));
   if (!(low.value < high.value))
-    throw std::invalid_argument(fmt::format("the range of {} begins at {} and ends at {}; the lower bound comes first",
-                                            constant.name, value_of(low), value_of(high)));
+    refuse("the range of {} begins at {} and ends at {}; the lower bound comes first", constant.name, value_of(low),
+           value_of(high));
   constant.row = made_row(constant.name, constant.row->unit, {number_in_unit(low), number_in_unit(high)});
   if (!in_range(*constant.row, number_in_unit(constant)))
-    throw std::invalid_argument(
-        fmt::format("{} is out of its range; allowed is {}", text_of(constant), allowed_text(*constant.row)));
+    refuse("{} is out of its range; allowed is {}", text_of(constant), allowed_text(*constant.row));
 }
 
 LawConstant defined(std::string_view name, const toml::node& node) {
@@ -126,8 +120,7 @@ LawConstant defined(std::string_view name, const toml::node& node) {
   if (table == nullptr) return constant_of(name, typed_at(name, node));
   for (const auto& [key, value] : *table)
     if (key.str() != "value" && key.str() != "range")
-      throw std::invalid_argument(
-          fmt::format("there is no such key as {}; a constant has value and range", excerpt(key.str())));
+      refuse("there is no such key as {}; a constant has value and range", excerpt(key.str()));
   const toml::node* value = table->get("value");
   if (value == nullptr)
     throw std::invalid_argument("has no value; write it like { value = \"0.4 nN\", range = [\"0.1 nN\", \"1 nN\"] }");
@@ -189,12 +182,12 @@ std::vector<LawConstant> constants_in(std::string_view text) {
     const std::string_view one = text.substr(begin, end - begin);
     const std::size_t equals = one.find('=');
     if (equals == std::string_view::npos)
-      throw std::invalid_argument(fmt::format("\"{}\" is not of the form name = value; write like \"F_c = 0.1 nN, n = "
-                                              "2\", the decimal sign is a point",
-                                              excerpt(trimmed(one))));
+      refuse("\"{}\" is not of the form name = value; write like \"F_c = 0.1 nN, n = "
+             "2\", the decimal sign is a point",
+             excerpt(trimmed(one)));
     LawConstant constant = constant_of(trimmed(one.substr(0, equals)), trimmed(one.substr(equals + 1)));
     if (std::ranges::find(all, constant.name, &LawConstant::name) != all.end())
-      throw std::invalid_argument(fmt::format("{} is given twice", constant.name));
+      refuse("{} is given twice", constant.name);
     put(std::move(constant), all);
     begin = end + 1;
   }

@@ -1,6 +1,7 @@
 #include "parameters/laws/law.hpp"
 
 #include "base/failure.hpp"
+#include "parameters/document.hpp"
 #include "parameters/laws/constants.hpp"
 #include "parameters/laws/law_names.hpp"
 #include "parameters/nearest.hpp"
@@ -104,7 +105,7 @@ fields::Expression law_formula(const Row& law, const Parameters& p, const std::s
     for (const fields::NamedNumber& name : names) known.push_back(name.name);
     constexpr std::size_t telling = 3; // letters: of fewer any other name is near
     const std::string meant = error.name.size() < telling ? "" : did_you_mean(nearest(error.name, known));
-    throw std::invalid_argument(fmt::format("{}{}", error.what(), meant.empty() ? known_names(law, p) : meant));
+    refuse("{}{}", error.what(), meant.empty() ? known_names(law, p) : meant);
   }
 }
 
@@ -219,7 +220,7 @@ bool is_changed(const Row& law, const Parameters& p) {
 std::vector<const Row*> changed_laws(const Parameters& p) {
   std::vector<const Row*> changed;
   for (const Row& law : law_rows())
-    if (kind(law) == Kind::law && is_changed(law, p)) changed.push_back(&law);
+    if (is_changed(law, p)) changed.push_back(&law);
   return changed;
 }
 

@@ -1,5 +1,6 @@
 #include "parameters/laws/law_names.hpp"
 
+#include "parameters/document.hpp"
 #include "parameters/laws/constants.hpp"
 #include "parameters/laws/law.hpp"
 
@@ -205,22 +206,22 @@ private:
   Known agreeing(const Part& whole, const Part& a, const Part& b) const {
     const Known first = of(a), second = of(b);
     if (first.certain && second.certain && first.dimension != second.dimension)
-      throw std::invalid_argument(fmt::format("at character {}: {} is {}, but {} is {}", whole.at, written(a),
-                                              said(first.dimension), written(b), said(second.dimension)));
+      refuse("at character {}: {} is {}, but {} is {}", whole.at, written(a), said(first.dimension), written(b),
+             said(second.dimension));
     if (first.certain && second.certain && first.pascals != second.pascals)
-      throw std::invalid_argument(fmt::format("at character {}: {} is {}, but {} is {}{}", whole.at, written(a),
-                                              unit_of(first), written(b), unit_of(second), factor));
+      refuse("at character {}: {} is {}, but {} is {}{}", whole.at, written(a), unit_of(first), written(b),
+             unit_of(second), factor);
     return first.certain ? first : second;
   }
 
   void require_number(const Part& of_part, std::string_view taken_by) const {
     const Known known = of(of_part);
     if (known.certain && known.dimension != Dimension{})
-      throw std::invalid_argument(fmt::format("at character {}: {} is {}, but {} takes a number without a unit",
-                                              of_part.at, written(of_part), said(known.dimension), taken_by));
+      refuse("at character {}: {} is {}, but {} takes a number without a unit", of_part.at, written(of_part),
+             said(known.dimension), taken_by);
     if (known.certain && known.pascals != 0)
-      throw std::invalid_argument(fmt::format("at character {}: {} is {}, but {} takes a number without a unit{}",
-                                              of_part.at, written(of_part), unit_of(known), taken_by, factor));
+      refuse("at character {}: {} is {}, but {} takes a number without a unit{}", of_part.at, written(of_part),
+             unit_of(known), taken_by, factor);
   }
 
   Known of_infix(const Part& part) const {

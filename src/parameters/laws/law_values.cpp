@@ -154,13 +154,12 @@ std::vector<std::string_view> keys_of_law(const Row& law) {
 std::vector<Rule> rules_of_law_values() {
   std::vector<Rule> rules;
   for (const Row& law : law_rows())
-    if (kind(law) == Kind::law)
-      rules.push_back({values_rule(law),
-                       keys_of_law(law),
-                       [&law](const Parameters& p) { return fault_of_law_values(p, law); },
-                       {readable_rule(law)},
-                       [&law](const Parameters& p) { return is_changed(law, p); },
-                       true});
+    rules.push_back({values_rule(law),
+                     keys_of_law(law),
+                     [&law](const Parameters& p) { return fault_of_law_values(p, law); },
+                     {readable_rule(law)},
+                     [&law](const Parameters& p) { return is_changed(law, p); },
+                     true});
   return rules;
 }
 

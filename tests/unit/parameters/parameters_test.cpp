@@ -1,7 +1,6 @@
 #include "base/failure.hpp"
 #include "faults.hpp"
 #include "parameters/assign.hpp"
-#include "parameters/closures.hpp"
 #include "parameters/document.hpp"
 #include "parameters/nearest.hpp"
 #include "parameters/presets.hpp"
@@ -9,6 +8,7 @@
 #include "parameters/rules.hpp"
 #include "parameters/schema.hpp"
 #include "parameters/units.hpp"
+#include "parameters/version.hpp"
 #include "parameters/write.hpp"
 
 #include <fmt/format.h>
