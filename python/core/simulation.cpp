@@ -383,7 +383,7 @@ void add_scenarios(py::module_& module) {
   module.def("judged", &judged_value);
   module.def("unknown_name", &unknown_name);
   module.def("closures", [](const std::string& text, const std::string& name) {
-    return closures_text(closures_of(parse_parameters(text, name)));
+    return closures_of(parse_parameters(text, name)).text;
   });
   module.def("constants", &constants_of_laws);
 }
@@ -425,8 +425,7 @@ PYBIND11_MODULE(_core, module) {
       .def_property_readonly("step_count", [](const SteppedSimulation& s) { return s.state().step; })
       .def_property_readonly("duration", [](const SteppedSimulation& s) { return s.parameters().run.duration; })
       .def_property_readonly("failure", &SteppedSimulation::failure)
-      .def_property_readonly("closures",
-                             [](const SteppedSimulation& s) { return closures_text(closures_of(s.parameters())); })
+      .def_property_readonly("closures", [](const SteppedSimulation& s) { return closures_of(s.parameters()).text; })
       .def_property_readonly("cell_count", [](const SteppedSimulation& s) { return s.state().cells.size(); })
       .def("matrix_x", [of](const py::object& self) { return vectors(of(self).ecm.x, self); })
       .def("matrix_X", [of](const py::object& self) { return vectors(of(self).ecm.X, self); })
