@@ -7,7 +7,7 @@
 #include "apps/verbs.hpp"
 #include "base/failure.hpp"
 #include "base/text.hpp"
-#include "parameters/closures.hpp"
+#include "parameters/version.hpp"
 #include "run/estimate.hpp"
 #include "run/folder_lock.hpp"
 #include "run/folder_state.hpp"
@@ -16,10 +16,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include <unistd.h>
-
 #include <algorithm>
-#include <chrono>
 #include <filesystem>
 #include <map>
 #include <numeric>
@@ -29,51 +26,6 @@
 namespace matrigrate::apps {
 
 namespace {
-
-using namespace std::chrono_literals;
-using Clock = std::chrono::steady_clock;
-
-/// How far the pool is, on the standard error.
-class PoolProgress {
-public:
-  PoolProgress(std::size_t total, int jobs, bool quiet)
-      : m_total(total), m_jobs(static_cast<std::size_t>(jobs)), m_quiet(quiet),
-        m_terminal(::isatty(STDERR_FILENO) == 1) {}
-  PoolProgress(const PoolProgress&) = delete;
-  PoolProgress& operator=(const PoolProgress&) = delete;
-  ~PoolProgress() {
-    if (m_drawn) print_error("\r\x1b[K");
-  }
-
-  void show(std::size_t ended, std::size_t failed) {
-    const Clock::time_point now = Clock::now();
-    if (m_quiet || now - m_last < (m_terminal ? Clock::duration(500ms) : Clock::duration(1min))) return;
-    m_last = now;
-    const double elapsed = std::chrono::duration<double>(now - m_start).count();
-    const auto done = static_cast<double>(ended);
-    const auto total = static_cast<double>(m_total);
-    const bool known = ended >= std::min(m_jobs, m_total);
-    const ProgressText text{.share = done / total,
-                            .where = fmt::format("{} of {} runs", ended, m_total),
-                            .left = known ? time_left(elapsed, done, total - done)
-                                          : std::string("time left is known when the first runs end"),
-                            .remark = failed > 0 ? fmt::format("{} not done", failed) : std::string()};
-    if (m_terminal)
-      print_error("\r\x1b[K" + progress_line(text, terminal_width()));
-    else
-      print_error(fmt::format("{}, {}{}{}\n", text.where, text.left, failed > 0 ? ", " : "", text.remark));
-    m_drawn = m_terminal;
-  }
-
-private:
-  std::size_t m_total;
-  std::size_t m_jobs;
-  bool m_quiet;
-  bool m_terminal;
-  bool m_drawn = false;
-  Clock::time_point m_start = Clock::now();
-  Clock::time_point m_last = Clock::now();
-};
 
 using Json = nlohmann::ordered_json;
 
@@ -171,13 +123,23 @@ void add_damaged(const StudyFolder& study, const std::vector<study::Result>& res
 PoolOutcome compute(const StudyFolder& study, const std::vector<std::size_t>& runs, const study::PoolOptions& options,
                     bool quiet) {
   std::optional<StopSignal> signals;
-  std::optional<PoolProgress> progress;
+  std::optional<Progress> progress;
   return study::compute(study, runs, options, [&](std::size_t all, std::size_t ended, std::size_t failed) {
     if (!progress) {
       signals.emplace();
-      progress.emplace(all, options.jobs, quiet);
+      progress.emplace(quiet);
     }
-    progress->show(ended, failed);
+    progress->show([&](double elapsed) {
+      const auto done = static_cast<double>(ended), total = static_cast<double>(all);
+      const bool known = ended >= std::min(static_cast<std::size_t>(options.jobs), all);
+      ProgressText text{.share = done / total,
+                        .where = fmt::format("{} of {} runs", ended, all),
+                        .left = known ? time_left(elapsed, done, total - done)
+                                      : std::string("time left is known when the first runs end"),
+                        .remark = failed > 0 ? fmt::format("{} not done", failed) : std::string()};
+      text.line = fmt::format("{}, {}{}{}", text.where, text.left, failed > 0 ? ", " : "", text.remark);
+      return text;
+    });
     return StopSignal::received();
   });
 }

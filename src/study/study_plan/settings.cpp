@@ -1,11 +1,11 @@
 #include "study_plan/settings.hpp"
 
 #include "parameters/assign.hpp"
-#include "parameters/gone.hpp"
 #include "parameters/laws/constants.hpp"
 #include "parameters/nearest.hpp"
 #include "parameters/read.hpp"
 #include "parameters/schema.hpp"
+#include "parameters/version.hpp"
 
 #include <fmt/format.h>
 

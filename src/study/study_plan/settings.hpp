@@ -56,7 +56,7 @@ std::optional<double> number_in_unit(const Row& row, Parameters p);
 std::optional<Setting> assigned(const Row& row, const toml::node& node, Parameters& p, FaultList& faults);
 
 // Studies that an earlier version has written out, whose points may name parameters that have gone
-// (parameters/gone.hpp). Test: tests/unit/study_plan/plan_test.cpp
+// (parameters/version.hpp). Test: tests/unit/study_plan/plan_test.cpp
 
 /// What points say by parameters that have gone: by the place of the point's table, path and value.
 using GoneValues = std::map<Place, std::map<std::string, std::string, std::less<>>>;
