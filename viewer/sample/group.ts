@@ -8,7 +8,7 @@ async function repeated(packed: Packed, frames: number, shifts: [number, number]
   const field = await unpack(packed, "outline", frames);
   const all = Array.from({ length: frames }, (_, k) =>
     Float64Array.from({ length: shifts.length * field.stride }, (_unused, i) => {
-      const shift = field.components === 2 ? shifts[Math.floor(i / field.stride)][i % 2] : 0;
+      const shift = packed.components === 2 ? shifts[Math.floor(i / field.stride)][i % 2] : 0;
       return valueAt(field, k, i % field.stride) + shift;
     }),
   );

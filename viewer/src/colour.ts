@@ -8,10 +8,10 @@ export const palette = colours.palette;
 /** The palette of a dark page, on which blue and black would be lost. */
 export const paletteOnDark = ["#56b4e9", "#e8743b", "#3cc79b", "#cc79a7", "#f0f0f0", "#e69f00", "#0072b2", "#f0e442"];
 
-/** By the number of the phase. */
-export const phaseColours = colours.phases;
 /** Phase colours of a dark page, on which the plum of contraction would be lost. */
-export const phaseColoursOnDark = ["#f0a500", "#e8743b", "#d469b8", "#9aa4b0"];
+const phaseColoursOnDark = ["#f0a500", "#e8743b", "#d469b8", "#9aa4b0"];
+/** By the number of the phase. */
+export const phaseColoursOn = (dark: boolean): string[] => (dark ? phaseColoursOnDark : colours.phases);
 
 /** The front of a cell is lighter than its rear. */
 export interface CellColours {
@@ -35,9 +35,9 @@ const ramp = (all: string[]): Rgb[] =>
 
 export const viridis = ramp("#440154 #482878 #3e4989 #31688e #26828e #1f9e89 #35b779 #6ece58 #b5de2b #fde725".split(" "));
 export const blueWhiteOrange = ramp(colours.blue_white_orange);
+const [gelOnLight, gelOnDark] = [ramp(colours.gel), ramp("#1b1b1a #8a7a58".split(" "))];
 /** Fluid to solid on a light and on a dark page: degraded matrix is what looks empty. */
-export const gelOnLight = ramp(colours.gel);
-export const gelOnDark = ramp("#1b1b1a #8a7a58".split(" "));
+export const gelOn = (dark: boolean): readonly Rgb[] => (dark ? gelOnDark : gelOnLight);
 
 /** Nuñez, Anderton and Renslow 2018: the same to people with and without red-green blindness. */
 const cividis = ramp("#00204c #00346e #3c4a6b #5b5f6d #757575 #928c78 #b0a572 #d1bf66 #ffe945".split(" "));
@@ -48,7 +48,7 @@ const purpleGreen = ramp("#40004b #762a83 #c2a5cf #f7f7f7 #a6dba0 #1b7837 #00441
 
 /** Colour maps to choose from; all can be read with any kind of colour vision. */
 export const colourMaps = {
-  gel: { name: "gel", on: (dark: boolean): readonly Rgb[] => (dark ? gelOnDark : gelOnLight) },
+  gel: { name: "gel", on: gelOn },
   viridis: { name: "viridis", on: (): readonly Rgb[] => viridis },
   cividis: { name: "cividis", on: (): readonly Rgb[] => cividis },
   magma: { name: "magma", on: (): readonly Rgb[] => magma },
@@ -69,11 +69,7 @@ export function mapped(map: readonly Rgb[], fraction: number): Rgb {
 
 export const css = (c: Rgb): string => `rgb(${c[0]},${c[1]},${c[2]})`;
 
-/** A map in 256 steps of RGBA, as a texture or a look-up. */
-export function lookUp(map: readonly Rgb[]): Uint8Array {
-  const out = new Uint8Array(4 * 256);
-  for (let i = 0; i < 256; ++i) out.set([...mapped(map, i / 255), 255], 4 * i);
-  return out;
-}
+/** A map in 256 steps. */
+export const lookUp = (map: readonly Rgb[]): Rgb[] => Array.from({ length: 256 }, (_, i) => mapped(map, i / 255));
 
 export const gradient = (map: readonly Rgb[]): string => `linear-gradient(to right, ${map.map(css).join(", ")})`;

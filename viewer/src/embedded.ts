@@ -1,22 +1,18 @@
 /** Reads the data that the program put into the page, and says plainly what is wrong with it. */
 import type { Packed, RunPage } from "./contract";
+import { messageOf } from "./dom";
 
-export const dataElementId = "matrigrate-data";
-
-function isRecord(value: unknown): value is Record<string, unknown> {
-  return typeof value === "object" && value !== null && !Array.isArray(value);
-}
+const isRecord = (value: unknown): value is Record<string, unknown> =>
+  typeof value === "object" && value !== null && !Array.isArray(value);
 
 /** Data of a format with these lists. Throws an Error whose message can be shown as it is. */
 export function embedded(format: string, lists: string[]): Record<string, unknown> {
-  const text = document.getElementById(dataElementId)?.textContent ?? "";
+  const text = document.getElementById("matrigrate-data")?.textContent ?? "";
   let data: unknown;
   try {
     data = JSON.parse(text);
   } catch (fault) {
-    throw new Error(
-      `The data in this page is not valid JSON: ${fault instanceof Error ? fault.message : String(fault)}.`,
-    );
+    throw new Error(`The data in this page is not valid JSON: ${messageOf(fault)}.`);
   }
   if (data === null) throw new Error("This page is an empty template: no data has been put into it.");
   if (!isRecord(data)) throw new Error("The data in this page is not an object.");
@@ -51,26 +47,18 @@ export function embeddedRun(): RunPage {
 /** Frames of quantised numbers: value = offset + scale * q. Kept quantised, since that is what the graphics card gets. */
 export interface Field {
   q: Int16Array | Uint8Array;
-  frames: number;
   /** Numbers a frame has. */
   stride: number;
   /** From a frame to the next in `q`: the stride, or 0 where there is one frame that holds at all times. */
   step: number;
-  components: number;
   scale: number;
   offset: number;
 }
 
-export function valueAt(field: Field, frame: number, index: number): number {
-  return field.offset + field.scale * field.q[frame * field.step + index];
-}
+export const valueAt = ({ q, step, scale, offset }: Field, frame: number, index: number): number =>
+  offset + scale * q[frame * step + index];
 
-export function fromBase64(text: string): Uint8Array {
-  const binary = atob(text);
-  const bytes = new Uint8Array(binary.length);
-  for (let i = 0; i < bytes.length; ++i) bytes[i] = binary.charCodeAt(i);
-  return bytes;
-}
+export const fromBase64 = (text: string): Uint8Array => Uint8Array.from(atob(text), (c) => c.charCodeAt(0));
 
 /** @throws Error where the browser cannot */
 export async function inflate(bytes: Uint8Array): Promise<Uint8Array> {
@@ -91,15 +79,7 @@ function joinBytes(bytes: Uint8Array, stride: number): Int16Array {
   return q;
 }
 
-/** Adds each frame to the one before; typed arrays wrap as the contract demands. */
-function addUp(q: Int16Array | Uint8Array, stride: number): void {
-  for (let i = stride; i < q.length; ++i) q[i] += q[i - stride];
-}
-
-/**
- * @param name    for messages
- * @param frames  how many there must be
- */
+/** @param name  for messages   @param frames  how many there must be */
 export async function unpack(packed: Packed, name: string, frames: number): Promise<Field> {
   const { type, components, per_frame, scale, offset } = packed;
   if (type !== "int16" && type !== "uint8") throw new Error(`${name}: unknown type '${String(type)}'`);
@@ -108,11 +88,12 @@ export async function unpack(packed: Packed, name: string, frames: number): Prom
   try {
     bytes = await inflate(fromBase64(packed.data));
   } catch (fault) {
-    throw new Error(`${name}: cannot be unpacked (${fault instanceof Error ? fault.message : String(fault)})`);
+    throw new Error(`${name}: cannot be unpacked (${messageOf(fault)})`);
   }
   const expected = frames * stride * (type === "int16" ? 2 : 1);
   if (bytes.length !== expected) throw new Error(`${name}: has ${bytes.length} bytes instead of ${expected}`);
   const q = type === "int16" ? joinBytes(bytes, stride) : bytes;
-  if (packed.delta) addUp(q, stride);
-  return { q, frames, stride, step: stride, components, scale, offset };
+  // Each frame is added to the one before; typed arrays wrap as the contract demands.
+  if (packed.delta) for (let i = stride; i < q.length; ++i) q[i] += q[i - stride];
+  return { q, stride, step: stride, scale, offset };
 }

@@ -1,12 +1,12 @@
 /** A plotly plot in the look of the page, drawn when it comes near the window or is printed, and again for another look. */
 import Plotly from "plotly.js-cartesian-dist-min";
-import { h, isDark, onDarkMode, onPrint } from "./dom";
+import { h, isDark, onceNear, onDarkMode, onPrint } from "./dom";
 import { roundStep } from "./numbers";
 import { lettered, typeset, units, unmarked, wrapped } from "./words";
 
 export type Json = Record<string, unknown>;
 
-export interface Drawing {
+interface Drawing {
   data: Json[];
   layout: Json;
 }
@@ -46,9 +46,7 @@ export function logAxis(title: string, values: number[], more: Json = {}): Json 
 }
 
 /** Ticks of an axis of counts: whole numbers. */
-export function wholeTicks(low: number, high: number): Json {
-  return { tick0: 0, dtick: Math.max(1, roundStep((high - low) / 5)), tickformat: "d" };
-}
+export const wholeTicks = (low: number, high: number): Json => ({ tick0: 0, dtick: Math.max(1, roundStep((high - low) / 5)), tickformat: "d" });
 
 /** A layout whose titles of axes are broken into lines that there is room for beside the plot [px]. */
 function withTitlesInLines(layout: Json, width: number, height: number): Json {
@@ -73,29 +71,26 @@ const config: Json = {
   toImageButtonOptions: { format: "svg" },
 };
 
+/** Marks of runs, with what is said of each when it is hovered over. */
+export const dots = (x: number[], y: (number | null)[], text: string[], marker: Json): Json =>
+  ({ type: "scatter", mode: "markers", x, y, marker, text, hoverinfo: "text" });
+
 /** Gives a figure, or several that belong together, a name, by which tests find it. */
 export function named(name: string, element: HTMLElement): HTMLElement {
   element.dataset["figure"] = name;
   return element;
 }
 
-export function figure(
-  caption: string,
-  height: number | ((width: number) => number),
-  make: (width: number) => Drawing,
-): HTMLElement {
-  const plot = h("div", {
-    class: "plotly-figure",
-    style: `height:${typeof height === "number" ? height : height(innerWidth)}px`,
-  });
-  plot.setAttribute("role", "img");
-  plot.setAttribute("aria-label", unmarked(caption));
+/** @param height  as it is in a window of some width   @param make  for the width that it gets [pixels] */
+export function figure(caption: string, height: (window: number) => number, make: (width: number) => Drawing): HTMLElement {
+  const tall = height(innerWidth);
+  const plot = h("div", { class: "plotly-figure", style: `height:${tall}px`, role: "img", "aria-label": unmarked(caption) });
   const element = h("figure", {}, plot, h("figcaption", {}, ...lettered(caption)));
   let seen = false;
   const draw = () => {
+    seen = true;
     const colours = ink();
     const { data, layout } = make(plot.clientWidth);
-    const tall = Number(plot.style.height.replace("px", ""));
     void Plotly.react(
       plot,
       data,
@@ -114,27 +109,14 @@ export function figure(
         height: tall,
       },
       config,
-    ).then(() => {
-      plot.dataset["drawn"] = "true";
-    });
+    ).then(() => (plot.dataset["drawn"] = "true"));
   };
-  new IntersectionObserver(
-    (entries, observer) => {
-      if (!entries.some((entry) => entry.isIntersecting)) return;
-      observer.disconnect();
-      seen = true;
-      draw();
-    },
-    { rootMargin: "600px" },
-  ).observe(plot);
+  onceNear(plot, "600px", draw);
   const replaced = new AbortController();
   onDarkMode(() => {
     if (!plot.isConnected) replaced.abort();
     else if (seen) draw();
   }, replaced.signal);
-  onPrint(plot, () => {
-    seen = true;
-    draw();
-  });
+  onPrint(plot, draw);
   return element;
 }

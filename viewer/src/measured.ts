@@ -2,31 +2,25 @@
 import type { MeasuredTracks } from "./contract";
 import { readable } from "./numbers";
 
-/** Positions [um] from the start of the track, over time [s] since then. */
-export interface MeasuredTrack {
-  t: number[];
-  x: number[];
-  y: number[];
+/** The stretches of columns between rows in which one of them is null. */
+export function stretches<K extends string>(columns: Record<K, (number | null)[]>): Record<K, number[]>[] {
+  const found: Record<K, number[]>[] = [];
+  const entries = Object.entries(columns) as [K, (number | null)[]][];
+  let open = false;
+  entries[0][1].forEach((_, i) => {
+    const gap = entries.some(([, column]) => column[i] === null);
+    if (!gap && !open) found.push(Object.fromEntries(entries.map(([key]) => [key, []])) as unknown as Record<K, number[]>);
+    if (!gap) for (const [key, column] of entries) found[found.length - 1][key].push(column[i] as number);
+    open = !gap;
+  });
+  return found;
 }
 
-export function measuredTracks(measured: MeasuredTracks | null | undefined): MeasuredTrack[] {
-  const tracks: MeasuredTrack[] = [];
-  let open = false;
-  measured?.t_s.forEach((t, i) => {
-    const [x, y] = [measured.x_um[i], measured.y_um[i]];
-    if (t === null || x === null || y === null) {
-      open = false;
-      return;
-    }
-    if (!open) tracks.push({ t: [], x: [], y: [] });
-    open = true;
-    const own = tracks[tracks.length - 1];
-    own.t.push(t);
-    own.x.push(x);
-    own.y.push(y);
-  });
-  return tracks;
-}
+/** Positions [um] from the start of the track, over time [s] since then. */
+export type MeasuredTrack = Record<"t" | "x" | "y", number[]>;
+
+export const measuredTracks = (measured: MeasuredTracks | null | undefined): MeasuredTrack[] =>
+  measured ? stretches({ t: measured.t_s, x: measured.x_um, y: measured.y_um }) : [];
 
 export interface Measured {
   tracks: MeasuredTrack[];

@@ -4,7 +4,7 @@ import { test } from "node:test";
 import { sampleRun } from "../sample/run";
 import { sampleStudy } from "../sample/study";
 import { sampleVerdicts } from "../sample/verdicts";
-import { colourMaps, mapped, phaseColours, phaseColoursOnDark, type Rgb } from "../src/colour";
+import { colourMaps, mapped, phaseColoursOn, type Rgb } from "../src/colour";
 import { launch, open, settled, until } from "./browser";
 
 const run = sampleRun({ radius: 60, interval: 600, end: 7200 });
@@ -30,7 +30,7 @@ test("diverging maps have two ends, and a middle lighter than both, with any kin
       for (const share of [0.1, 0.2, 0.3]) assert.ok(apart(at(share), at(1 - share)) > 0.1, `${key} at ${share}`);
     }
   // The fourth is drawn with dashes.
-  for (const colours of [phaseColours.slice(0, 3), phaseColoursOnDark.slice(0, 3)])
+  for (const colours of [phaseColoursOn(false).slice(0, 3), phaseColoursOn(true).slice(0, 3)])
     for (const eyes of [withoutRed, withoutGreen])
       colours.forEach((a, i) =>
         colours.slice(i + 1).forEach((b) => assert.ok(apart(seenBy(eyes, rgb(a)), seenBy(eyes, rgb(b))) > 0.1, `${a} ${b}`)),

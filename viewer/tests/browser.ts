@@ -237,12 +237,10 @@ export function inkDifference(page: Page, one: string, other: string): Promise<n
 
 // Values of one frame as they come unpacked.
 
-export const field = (values: number[], components: number, scale: number): Field => ({
+export const field = (values: number[], scale: number): Field => ({
   q: Int16Array.from(values, (v) => Math.round(v / scale)),
-  frames: 1,
   stride: values.length,
   step: values.length,
-  components,
   scale,
   offset: 0,
 });

@@ -8,10 +8,9 @@ import { sampleStudy } from "../sample/study";
 import { cellColourCount, cellColours } from "../src/colour";
 import { valueAt } from "../src/embedded";
 import { cellParts, tracksOfCells } from "../src/run/cells";
-import { cellTextAt, description, isInside } from "../src/run/describe";
 import { type Film, film, outlineAt } from "../src/run/frames";
 import { layers } from "../src/run/matrix/layers";
-import { probeText } from "../src/run/probe";
+import { cellTextAt, description, isInside, probeText } from "../src/run/probe";
 import { field, launch, open, settled } from "./browser";
 
 const one = () => sampleRun({ radius: 110, interval: 600, end: 7200, fibres: false });
@@ -83,7 +82,7 @@ test("the player draws each cell in its colours, and the page says which cell", 
 test("a point in a cell is of that cell, though the edge of its neighbour is within reach", () => {
   const square = (left: number) => [left, 0, left + 10, 0, left + 10, 10, left, 10];
   const made = {
-    outline: { x: field([...square(0), ...square(10.5)], 2, 0.001), protrusion: field(Array.from({ length: 8 }, () => 255), 1, 1) },
+    outline: { x: field([...square(0), ...square(10.5)], 0.001), protrusion: field(Array.from({ length: 8 }, () => 255), 1) },
     outlinePoints: 8,
     cells: cellParts(8, [1, 1, 1, 1, 2, 2, 2, 2]),
     protrusions: [[]],

@@ -3,8 +3,7 @@ import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { test } from "node:test";
 import { sampleRun } from "../sample/run";
-import { fibresOf } from "../src/run/bonds";
-import type { Film } from "../src/run/frames";
+import { fibresOf, type Film } from "../src/run/frames";
 import { fibreLayer, strainAt } from "../src/run/over/fibres";
 import { field, launch, open, still, until } from "./browser";
 
@@ -19,7 +18,7 @@ const hexagonal = Array.from({ length: 25 }, (_, i) => {
 
 test("fibres join the particles that the bonds say, those along shorter ones left out", () => {
   const bonds: [number, number][] = [[2, 0], [4, 0], [4, 2], [-4, 2]];
-  const { ends, length } = fibresOf({ bonds_um: bonds, onset: 0.075 }, field(square.flat(), 2, 0.005));
+  const { ends, length } = fibresOf({ bonds_um: bonds, onset: 0.075 }, field(square.flat(), 0.005));
   assert.equal(ends.length, 2 * length.length);
   assert.equal(length.length, 5 * 4 + 4 * 3 + 4 * 3);
   const seen = new Set<string>();
@@ -32,14 +31,14 @@ test("fibres join the particles that the bonds say, those along shorter ones lef
   }
   assert.equal(seen.size, length.length, "a fibre is drawn twice");
   const around: [number, number][] = [[2, 0], [1, row], [-1, row]];
-  const found = fibresOf({ bonds_um: around, onset: 0 }, field(hexagonal.flat(), 2, 0.005));
+  const found = fibresOf({ bonds_um: around, onset: 0 }, field(hexagonal.flat(), 0.005));
   assert.equal(found.length.length, 5 * 4 + 2 * 4 * 5 - 4, "neighbours of a hexagonal lattice");
 });
 
 test("strain is that of the ends, and a fibre with an end in the fluid is gone", () => {
-  const reference = field(square.flat(), 2, 0.005);
-  const x = field(square.flatMap(([a, b]) => [1.1 * a, 0.95 * b]), 2, 0.005);
-  const f = field(square.map((_, i) => (i === 0 ? 0 : 1)), 1, 1 / 255);
+  const reference = field(square.flat(), 0.005);
+  const x = field(square.flatMap(([a, b]) => [1.1 * a, 0.95 * b]), 0.005);
+  const f = field(square.map((_, i) => (i === 0 ? 0 : 1)), 1 / 255);
   const fibres = fibresOf({ bonds_um: [[2, 0], [0, 2]], onset: 0.075 }, reference);
   const film = { times: [0], x, f, reference, fibres, particles: 25 } as unknown as Film;
   const place = { frame: 0, next: 0, fraction: 0 };

@@ -16,7 +16,6 @@ import { valueAt } from "../src/embedded";
 
 const head: Head = {
   t_s: 0,
-  step: 0,
   done: false,
   radius_um: 150,
   spacing_um: 2,

@@ -4,7 +4,7 @@ import { after, before, test } from "node:test";
 import type { Browser, Page } from "playwright-core";
 import { sampleRun } from "../sample/run";
 import { sampleStudy } from "../sample/study";
-import { cellColours, gelOnDark, gelOnLight, viridis } from "../src/colour";
+import { cellColours, gelOn, viridis } from "../src/colour";
 import type { MeasuredTracks } from "../src/contract";
 import { measuredOf, until as upTo } from "../src/measured";
 import { measuredLine } from "../src/run/over/marks";
@@ -50,7 +50,7 @@ test("a track is seen on front and rear of a cell and on any matrix, on light an
     const [halo, line] = measuredLine(dark);
     assert.ok(halo.width >= line.width + 2 && line.width >= 1.5, "lines that are wide enough");
     assert.ok(contrast(halo.colour, line.colour) > 7, "a line in its halo");
-    const maps = [gelOnLight, gelOnDark, [viridis[0]!, viridis.at(-1)!]].flat();
+    const maps = [gelOn(false), gelOn(true), [viridis[0]!, viridis.at(-1)!]].flat();
     for (const ground of [front, rear, ...maps.map(hex)]) {
       const most = Math.max(contrast(halo.colour, ground), contrast(line.colour, ground));
       assert.ok(most > 3, `${ground}, ${dark ? "dark" : "light"}: ${most}`);

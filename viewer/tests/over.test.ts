@@ -43,7 +43,7 @@ const made = await film(run);
 assert.ok(made);
 const camera = new Camera({ left: -60, right: 60, bottom: -60, top: 60 });
 camera.resize(600, 600);
-camera.showWhole();
+camera.show(camera.whole);
 const frame = made.protrusions.findIndex((all) => all.filter((p) => p.force_nN > 0).length > 0);
 const place = placeAt(made.times, made.times[frame]);
 const scene = { film: made, place, camera, spacing: 2, dark: false, darkGround: false };

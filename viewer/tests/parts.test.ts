@@ -88,7 +88,7 @@ test("a clock with a loop begins anew at its end, one without stops there", () =
 test("zoom keeps the point under the pointer", () => {
   const camera = new Camera({ left: -150, right: 150, bottom: -150, top: 150 });
   camera.resize(800, 600);
-  camera.showWhole();
+  camera.show(camera.whole);
   const at = (sx: number, sy: number) => [camera.x + (sx - 400) / camera.scale, camera.y - (sy - 300) / camera.scale];
   const before = at(700, 100);
   camera.zoom(2, 700, 100);

@@ -17,13 +17,13 @@ function lattice(value: (x: number, y: number) => number, solid: (x: number, y: 
   const places: number[] = [];
   for (let i = -20; i <= 20; ++i) for (let j = -20; j <= 20; ++j) places.push(spacing * i, spacing * j);
   const all = Array.from({ length: places.length / 2 }, (_, i) => [places[2 * i], places[2 * i + 1]] as const);
-  const x = field(places, 2, 0.005);
-  const f = field(all.map(([a, b]) => (solid(a, b) ? 1 : 0)), 1, 1 / 255);
+  const x = field(places, 0.005);
+  const f = field(all.map(([a, b]) => (solid(a, b) ? 1 : 0)), 1 / 255);
   const film = { x, reference: x, f, particles: all.length } as unknown as Film;
-  const layer = { field: field(all.map(([a, b]) => value(a, b)), 1, 0.001), solidOnly: contour === undefined, contour } as unknown as Layer;
+  const layer = { field: field(all.map(([a, b]) => value(a, b)), 0.001), solidOnly: contour === undefined, contour } as unknown as Layer;
   const camera = new Camera({ left: -40, right: 40, bottom: -40, top: 40 });
   camera.resize(600, 600);
-  camera.showWhole();
+  camera.show(camera.whole);
   return resample(film, layer, { frame: 0, next: 0, fraction: 0 }, camera, spacing, spare);
 }
 

@@ -1,37 +1,28 @@
 /** Drawing into the matrix by mouse, finger or pen. */
-import { h, isDark } from "../dom";
+import { button, choice, h, isDark } from "../dom";
+import { onButton, placeOn } from "../run/camera";
 import type { Stage } from "../run/stage";
 import { brushes, type Stroke, type StrokeKind } from "./scenario";
 
-const colours: Record<StrokeKind, string> = { soft: "#56b4e9", stiff: "#7a3e9d", hole: "#009e73", obstacle: "#3d4248", bare: "#d55e00", rich: "#cc79a7", attractant: "#e69f00" };
-
-export interface Brush {
-  element: HTMLElement;
-  /** Draws on a stage from now on, in place of the one before, and shows there what has been drawn. */
-  attach(stage: Stage, strokes: () => Stroke[]): void;
-}
+export type Brush = ReturnType<typeof brush>;
 
 /** @param drawn  a stroke is finished   @param cleared  all are to go */
-export function brush(drawn: (stroke: Stroke) => void, cleared: () => void): Brush {
+export function brush(drawn: (stroke: Stroke) => void, cleared: () => void) {
   let kind: StrokeKind | null = null;
-  const radius = h("input", { type: "range", name: "brush-radius", min: 2, max: 40, step: 1, value: 10, "aria-label": "Radius of the brush" });
   const size = h("output", {}, "10 \u00b5m");
-  radius.addEventListener("input", () => {
-    size.textContent = `${radius.value} \u00b5m`;
-  });
+  const range = { type: "range", min: 2, max: 40, step: 1, value: 10, "aria-label": "Radius of the brush" };
+  const oninput = ({ value }: HTMLInputElement) => (size.textContent = `${value} \u00b5m`);
+  const radius = h("input", { name: "brush-radius", ...range, oninput });
   /** Shows on the stage that is drawn on whether a drag draws. */
   let mark = (): void => undefined;
   const radio = (value: StrokeKind | null, name: string) => {
-    const input = h("input", { type: "radio", name: "brush", value: value ?? "look", checked: value === null });
-    input.addEventListener("change", () => {
+    const { input, label } = choice({ type: "radio", name: "brush", value: value ?? "look", checked: value === null }, name, () => {
       kind = value;
       mark();
     });
-    const dot = value ? h("span", { class: "dot", style: `background:${colours[value]}` }) : null;
-    return h("label", {}, input, dot, name);
+    if (value) input.after(h("span", { class: "dot", style: `background:${brushes[value].colour}` }));
+    return label;
   };
-  const clear = h("button", { type: "button" }, "Remove what is drawn");
-  clear.addEventListener("click", cleared);
   const element = h(
     "form",
     { class: "brush", "aria-label": "Draw into the matrix" },
@@ -39,9 +30,10 @@ export function brush(drawn: (stroke: Stroke) => void, cleared: () => void): Bru
     radio(null, "move the view"),
     ...Object.entries(brushes).map(([key, one]) => radio(key as StrokeKind, one.name.toLowerCase())),
     h("label", {}, "Radius", radius, size),
-    clear,
+    button("Remove what is drawn", { onclick: cleared }),
   );
 
+  /** Draws on a stage from now on, in place of the one before, and shows there what has been drawn. */
   const attach = (stage: Stage, strokes: () => Stroke[]) => {
     const over = h("canvas", { class: "drawn" });
     stage.element.append(over);
@@ -61,7 +53,7 @@ export function brush(drawn: (stroke: Stroke) => void, cleared: () => void): Bru
       c.lineCap = c.lineJoin = "round";
       for (const stroke of all) {
         c.globalAlpha = stroke === now ? 0.45 : isDark() ? 0.3 : 0.22;
-        c.strokeStyle = colours[stroke.kind];
+        c.strokeStyle = brushes[stroke.kind].colour;
         c.lineWidth = 2 * stroke.radius * camera.scale;
         c.beginPath();
         const { points } = stroke;
@@ -71,20 +63,18 @@ export function brush(drawn: (stroke: Stroke) => void, cleared: () => void): Bru
         c.stroke();
       }
     };
-    stage.onPaint(paint);
+    stage.on("paint", paint);
     mark = () => stage.element.classList.toggle("drawing", kind !== null);
     mark();
-    const place = (event: PointerEvent): [number, number] => {
-      const box = stage.element.getBoundingClientRect();
-      const { camera } = stage;
-      const short = (v: number) => Number(v.toFixed(1));
-      return [short(camera.fromScreenX(event.clientX - box.left)), short(camera.fromScreenY(event.clientY - box.top))];
+    const place = (event: PointerEvent) => {
+      const { x, y } = placeOn(stage.element, event);
+      return [stage.camera.fromScreenX(x), stage.camera.fromScreenY(y)].map((v) => Number(v.toFixed(1)));
     };
     // Before the gestures that move the view.
     const on = (type: "pointerdown" | "pointermove" | "pointerup" | "pointercancel", act: (event: PointerEvent) => void) =>
-      stage.element.addEventListener(type, (event) => act(event), { capture: true });
+      stage.element.addEventListener(type, act, { capture: true });
     on("pointerdown", (event) => {
-      if (kind === null || event.button !== 0 || (event.target instanceof Element && event.target.closest("button"))) return;
+      if (kind === null || event.button !== 0 || onButton(event)) return;
       event.stopImmediatePropagation();
       stage.setFollow(false);
       stage.element.setPointerCapture(event.pointerId);

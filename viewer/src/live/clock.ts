@@ -1,18 +1,14 @@
 /** The time that is shown: at the front it follows the simulation, a little behind so that motion is smooth. */
 import { Clock } from "../run/clock";
 
-export interface Engine {
-  play(): void;
-  pause(): void;
-  step(): void;
-}
+type Engine = Record<"play" | "pause" | "step", () => void>;
 
 export class LiveClock extends Clock {
   /** True while the view follows the simulation; false while a person looks at the past. */
   atFront = true;
   private before = 0;
   /** Model seconds in a second of watching, as measured. */
-  private rate = 0;
+  rate = 0;
   private arrived = { at: 0, t: 0 };
   private ticking = false;
 
@@ -23,18 +19,12 @@ export class LiveClock extends Clock {
     super(0, times);
   }
 
-  get measured(): number {
-    return this.rate;
-  }
-
   /** A new simulation, or one taken up. */
   begin(t: number): void {
     this.end = t;
-    this.time = t;
     this.rate = 0;
-    this.atFront = true;
     this.arrived = { at: performance.now(), t };
-    this.tell();
+    this.toFront();
   }
 
   /** A moment has come from the simulation. */
@@ -82,10 +72,7 @@ export class LiveClock extends Clock {
 
   override step(direction: 1 | -1): void {
     if (direction > 0 && this.time >= this.end - 1e-6) this.engine.step();
-    else {
-      const next = direction > 0 ? this.stops.find((t) => t > this.time + 1e-6) : this.stops.findLast((t) => t < this.time - 1e-6);
-      this.jump(next ?? (direction > 0 ? this.end : 0));
-    }
+    else super.step(direction);
   }
 
   override toggle(): void {

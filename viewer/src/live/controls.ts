@@ -1,8 +1,8 @@
 /** What a person sets: preset, seed, sliders, a scenario of one's own. */
-import { h } from "../dom";
+import { button, h, select } from "../dom";
 import { readable } from "../numbers";
 import { laws, now, pascals, type Scenario, type Settings } from "./scenario";
-import type { Law, Preset } from "./protocol";
+import type { Preset } from "./protocol";
 
 interface Slider {
   path: string;
@@ -47,7 +47,7 @@ function valueOf(slider: Slider, settings: Settings): number {
   return stress(slider.unit) ? pascals(text) : parseFloat(text.replace(/^"|"$/g, ""));
 }
 
-export interface Wishes {
+interface Wishes {
   /** A preset begins a new simulation. */
   preset(overrides: string[]): void;
   seed(seed: string): void;
@@ -57,52 +57,45 @@ export interface Wishes {
   toml(text: string): void;
 }
 
-export interface Controls {
-  element: HTMLElement;
-  presets(list: Preset[]): void;
-  laws(list: Law[]): void;
-  /** Shows values as they are.   @param all  every parameter that is not at its default   @param refused  what was asked for before */
-  show(all: Settings, scenario: Scenario, refused?: boolean): void;
-}
-
-function sliderRow(slider: Slider, wishes: Wishes): { element: HTMLElement; show: (settings: Settings) => void } {
-  const input = h("input", { type: "range", name: slider.path, min: 0, max: steps, step: slider.whole ? steps / (slider.high - slider.low) : 1 });
+function sliderRow(slider: Slider, wishes: Wishes) {
   const shown = h("output", {});
   const say = (value: number) => {
     const text = slider.path === "protrusion.number" && value === 0 ? "by r_prot" : `${readable(value, 3)}${slider.unit ? ` ${slider.unit}` : ""}`;
     shown.textContent = text;
     input.setAttribute("aria-valuetext", text);
   };
-  input.addEventListener("input", () => say(fromPlace(slider, Number(input.value))));
-  input.addEventListener("change", () => {
-    const value = fromPlace(slider, Number(input.value));
-    wishes.set(slider.path, slider.unit ? `${value} ${slider.unit}` : String(value));
+  const value = () => fromPlace(slider, Number(input.value));
+  const input: HTMLInputElement = h("input", {
+    type: "range",
+    name: slider.path,
+    min: 0,
+    max: steps,
+    step: slider.whole ? steps / (slider.high - slider.low) : 1,
+    oninput: () => say(value()),
+    onchange: () => wishes.set(slider.path, slider.unit ? `${value()} ${slider.unit}` : String(value())),
   });
-  return {
-    element: h("label", { class: "slider" }, h("span", {}, slider.name), shown, input),
-    show: (settings) => {
-      const value = valueOf(slider, settings);
-      input.value = String(toPlace(slider, Math.min(slider.high, Math.max(slider.low, value))));
-      say(value);
-    },
+  const show = (settings: Settings) => {
+    const set = valueOf(slider, settings);
+    input.value = String(toPlace(slider, Math.min(slider.high, Math.max(slider.low, set))));
+    say(set);
   };
+  return { element: h("label", { class: "slider" }, h("span", {}, slider.name), shown, input), show };
 }
 
-export function controls(wishes: Wishes): Controls {
-  const preset = h("select", { name: "preset" }, h("option", { value: "" }, "\u2013"));
+export function controls(wishes: Wishes) {
   let list: Preset[] = [];
-  preset.addEventListener("change", () => {
-    const chosen = list.find(({ name }) => name === preset.value);
+  const preset = select({ name: "preset" }, [["", "\u2013"]], (value) => {
+    const chosen = list.find(({ name }) => name === value);
     if (chosen) wishes.preset(chosen.overrides);
   });
-  const seed = h("input", { type: "number", name: "seed", min: 0, max: 9007199254740991, step: 1, value: 1 });
-  seed.addEventListener("change", () => wishes.seed(seed.value));
+  const whole = { type: "number", min: 0, max: 9007199254740991, step: 1, value: 1 };
+  const seed = h("input", { name: "seed", ...whole, onchange: ({ value }) => wishes.seed(value) });
   const rows = sliders.map((slider) => sliderRow(slider, wishes));
-  const fibres = h("select", { name: "fibres.arrangement" }, ...arrangements.map((one) => h("option", { value: one }, one)));
-  fibres.addEventListener("change", () => wishes.set("fibres.arrangement", fibres.value));
-  const text = h("textarea", { name: "toml", rows: 8, spellcheck: "false", placeholder: '[ecm]\nyoungs_modulus = "100 Pa"', "aria-label": "Scenario as TOML" });
-  const use = h("button", { type: "button" }, "Begin with this scenario");
-  use.addEventListener("click", () => wishes.toml(text.value));
+  const path = "fibres.arrangement";
+  const fibres = select({ name: path }, arrangements.map((one) => [one, one]), (one) => wishes.set(path, one));
+  const placeholder = '[ecm]\nyoungs_modulus = "100 Pa"';
+  const text = h("textarea", { name: "toml", rows: 8, spellcheck: "false", placeholder, "aria-label": "Scenario as TOML" });
+  const use = button("Begin with this scenario", { onclick: () => wishes.toml(text.value) });
   const formulas = laws(wishes.set);
   const choice = (name: string, ...inside: Node[]) => h("label", { class: "choice" }, h("span", {}, name), ...inside);
   const element = h(
@@ -119,12 +112,13 @@ export function controls(wishes: Wishes): Controls {
   element.addEventListener("submit", (event) => event.preventDefault());
   return {
     element,
-    presets(all) {
+    presets(all: Preset[]) {
       list = all;
-      preset.replaceChildren(h("option", { value: "" }, "\u2013"), ...all.map(({ name, description }) => h("option", { value: name, title: description }, name)));
+      preset.append(...all.map(({ name, description }) => h("option", { value: name, title: description }, name)));
     },
     laws: formulas.list,
-    show(all, scenario, refused = false) {
+    /** Shows values as they are.   @param all  every parameter that is not at its default   @param refused  what was asked for before */
+    show(all: Settings, scenario: Scenario, refused = false) {
       formulas.show(all, refused);
       for (const row of rows) row.show(all);
       seed.value = all["run.seed"] ?? "1";

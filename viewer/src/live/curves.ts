@@ -3,7 +3,7 @@ import type { ProtrusionRow, Tracks } from "../contract";
 import { h, onResize, s, section } from "../dom";
 import { ticks } from "../numbers";
 import { tracksOfCells } from "../run/cells";
-import { colour, frame, hours, onPick, speeds, tint, type Frame } from "../run/plots";
+import { frame, hours, onPick, speeds, tint, type Frame } from "../run/plots";
 import { timeline } from "../run/timeline";
 import type { LiveClock } from "./clock";
 
@@ -29,14 +29,8 @@ export function thinned({ t, v }: Line): Line {
   return { t: t.filter(kept), v: v.filter(kept) };
 }
 
-/** Lines over time that grow. */
-interface Plot {
-  element: HTMLElement;
-  draw(width: number, lines: Line[]): void;
-}
-
-/** Axes are made again where a line outgrows them, or is far below; else the lines alone change. */
-function plot(clock: LiveClock, label: string, stairs: boolean): Plot {
+/** Lines over time that grow. Axes are made again where a line outgrows them, or is far below; else the lines alone change. */
+function plot(clock: LiveClock, label: string, stairs: boolean) {
   const element = h("div", {});
   const room = 1.1;
   let made: Frame | null = null;
@@ -49,28 +43,24 @@ function plot(clock: LiveClock, label: string, stairs: boolean): Plot {
       [end, high] = [room * clock.end, room * highest];
       const axes = frame(width, 190, hours({ end }), { low: 0, high, label, ticks: ticks(0, high, 4) }, `${label} over time`);
       onPick(axes, (x) => clock.jump(3600 * axes.toX(x)));
-      paths = lines.map((_, k) => s("path", { class: "curve", ...tint(colour(k + 1, lines.length)) }));
+      paths = lines.map((_, k) => s("path", { class: "curve", ...tint(k + 1, lines.length) }));
       axes.svg.append(...paths);
       element.replaceChildren(axes.svg);
       made = axes;
     }
     const { x, y } = made;
     lines.map(thinned).forEach(({ t, v }, k) => {
-      const at = (i: number) => `${x(t[i] / 3600).toFixed(1)} ${y(v[i]).toFixed(1)}`;
-      const d = t.map((_, i) => (i === 0 ? `M${at(0)}` : stairs ? `H${x(t[i] / 3600).toFixed(1)}V${y(v[i]).toFixed(1)}` : `L${at(i)}`));
+      const d = t.map((_, i) => {
+        const [px, py] = [x(t[i] / 3600).toFixed(1), y(v[i]).toFixed(1)];
+        return i === 0 ? `M${px} ${py}` : stairs ? `H${px}V${py}` : `L${px} ${py}`;
+      });
       paths[k].setAttribute("d", d.join(""));
     });
   };
   return { element, draw };
 }
 
-export interface Curves {
-  element: HTMLElement;
-  /** Something new has come. */
-  changed(): void;
-}
-
-export function curves(clock: LiveClock, tracks: Tracks, rows: () => ProtrusionRow[], gone: AbortSignal): Curves {
+export function curves(clock: LiveClock, tracks: Tracks, rows: () => ProtrusionRow[], gone: AbortSignal) {
   const speed = plot(clock, "speed (\u00b5m/h)", false);
   const alive = plot(clock, "protrusions alive", true);
   const life = h("div", {});
@@ -103,20 +93,13 @@ export function curves(clock: LiveClock, tracks: Tracks, rows: () => ProtrusionR
     life.replaceChildren(timeline(all.slice(-mostRows), clock, Math.floor(life.clientWidth), redrawn.signal));
     older.textContent = all.length > mostRows ? `The latest ${mostRows} of ${all.length} protrusions.` : "";
   };
+  /** Something new has come. */
   const changed = () => {
     if (later === undefined) later = setTimeout(draw, Math.max(0, pause - (performance.now() - drawn)));
   };
   onResize(speed.element, changed, gone);
-  const element = h(
-    "div",
-    {},
-    section(
-      "path",
-      "Speed and protrusions",
-      h("div", { class: "plots" }, speed.element, alive.element),
-      h("p", { class: "note" }, "Speed: displacement over ten minutes, at first over less."),
-    ),
-    section("protrusions", "Protrusions", life, older),
-  );
-  return { element, changed };
+  const plots = h("div", { class: "plots" }, speed.element, alive.element);
+  const note = h("p", { class: "note" }, "Speed: displacement over ten minutes, at first over less.");
+  const sections = [section("path", "Speed and protrusions", plots, note), section("protrusions", "Protrusions", life, older)];
+  return { element: h("div", {}, ...sections), changed };
 }

@@ -3,8 +3,7 @@
  * the newest ones are kept as they come.
  */
 import type { FrameProtrusion, PhaseNumber } from "../contract";
-import type { Film } from "../run/frames";
-import { fibresOf } from "../run/bonds";
+import { fibresOf, type Film } from "../run/frames";
 import { cellParts, type CellPart } from "../run/cells";
 import type { Field } from "../embedded";
 import type { CoreFrame, CoreMatrix, Head } from "./protocol";
@@ -50,43 +49,37 @@ export class LiveFilm {
   constructor(head: Head, { reference, layers }: CoreMatrix) {
     const { n_particles: n, n_outline: m, n_nucleus: k, radius_um: radius } = head;
     const frames = history + newest;
-    const field = (wide: boolean, entries: number, components: number, scale: number): Field => {
-      const stride = entries * components;
-      const q = wide ? new Int16Array(frames * stride) : new Uint8Array(frames * stride);
-      return { q, frames, stride, step: stride, components, scale, offset: 0 };
-    };
-    const place = (1.3 * radius) / 32767;
-    const fixed: Field = { q: new Int16Array(2 * n), frames: 1, stride: 2 * n, step: 0, components: 2, scale: place, offset: 0 };
-    for (let i = 0; i < 2 * n; ++i) fixed.q[i] = Math.round(reference[i] / place);
+    const scale = (1.3 * radius) / 32767;
+    const wide = (stride: number, scale: number): Field => ({ q: new Int16Array(frames * stride), stride, step: stride, scale, offset: 0 });
+    const narrow = (stride: number, scale: number): Field => ({ ...wide(0, scale), q: new Uint8Array(frames * stride), stride, step: stride });
+    const fixed: Field = { q: Int16Array.from(reference, (v) => Math.round(v / scale)), stride: 2 * n, step: 0, scale, offset: 0 };
     const withFibres = head.bonds_um.length > 0;
-    const [x, f] = [field(true, n, 2, place), field(false, n, 1, 1 / 255)];
-    const numbers = (limit: number) => field(true, n, 1, limit / 255);
-    const [pressure, vonMises] = [numbers(stressLimit.pressure), numbers(stressLimit.vonMises)];
-    const fibreVonMises = withFibres ? numbers(stressLimit.fibreVonMises) : null;
-    const attractant = head.attractant ? numbers(attractantLimit) : null;
-    const outline = {
-      x: field(true, m, 2, place),
-      front: field(false, m, 1, 1),
-      protrusion: field(false, m, 1, 1),
-      fMat: field(false, m, 1, 1 / 255),
-      force: field(false, m, 1, forceLimit / 255),
+    const changing = {
+      x: wide(2 * n, scale),
+      f: narrow(n, 1 / 255),
+      pressure: wide(n, stressLimit.pressure / 255),
+      vonMises: wide(n, stressLimit.vonMises / 255),
+      fibreVonMises: withFibres ? wide(n, stressLimit.fibreVonMises / 255) : null,
+      attractant: head.attractant ? wide(n, attractantLimit / 255) : null,
     };
-    const nucleus = k > 0 ? field(true, k, 2, place) : null;
+    const outline = {
+      x: wide(2 * m, scale),
+      front: narrow(m, 1),
+      protrusion: narrow(m, 1),
+      fMat: narrow(m, 1 / 255),
+      force: narrow(m, forceLimit / 255),
+    };
+    const nucleus = k > 0 ? wide(2 * k, scale) : null;
     this.X = reference;
-    this.fields = [x, f, pressure, vonMises, fibreVonMises, attractant, ...Object.values(outline), nucleus].filter((one) => one !== null);
+    this.fields = [...Object.values(changing), ...Object.values(outline), nucleus].filter((one) => one !== null);
     this.film = {
+      ...changing,
       times: [],
       reference: fixed,
-      x,
-      f,
-      pressure,
-      vonMises,
-      fibreVonMises,
-      attractant,
       layers: layersOf(layers),
       obstacles: head.obstacles_um,
       cells: cellParts(m, head.cell),
-      fibres: withFibres ? fibresOf({ bonds_um: head.bonds_um, onset: head.onset }, fixed) : null,
+      fibres: withFibres ? fibresOf(head, fixed) : null,
       outline,
       nucleus,
       protrusions: [],
@@ -193,23 +186,16 @@ export class LiveFilm {
     for (let i = 0; i < stride; ++i) q[at * stride + i] = Math.round((X[i] + frame.displacement[i]) / scale);
     const put = (field: Field | null, values?: ArrayLike<number>) => {
       if (!field || !values) return;
-      const most = field.q instanceof Int16Array ? 32767 : 255;
-      const least = field.q instanceof Int16Array ? -32767 : 0;
+      const [least, most] = field.q instanceof Int16Array ? [-32767, 32767] : [0, 255];
       const base = at * field.stride;
       for (let i = 0; i < field.stride; ++i)
         field.q[base + i] = Math.max(least, Math.min(most, Math.round(values[i] / field.scale)));
     };
     film.f.q.set(frame.f, at * film.f.stride);
-    put(film.pressure, frame.pressure);
-    put(film.vonMises, frame.vonMises);
-    put(film.fibreVonMises, frame.fibreVonMises);
-    put(film.attractant, frame.attractant);
+    for (const name of ["pressure", "vonMises", "fibreVonMises", "attractant", "nucleus"] as const) put(film[name], frame[name]);
+    for (const name of ["front", "fMat", "force"] as const) put(film.outline[name], frame[name]);
     put(film.outline.x, frame.outline);
-    put(film.outline.front, frame.front);
     put(film.outline.protrusion, frame.protrusionOf);
-    put(film.outline.fMat, frame.fMat);
-    put(film.outline.force, frame.force);
-    put(film.nucleus, frame.nucleus);
   }
 }
 
@@ -221,7 +207,7 @@ function steady(values: Float32Array): Field {
   const [low, high] = [values.reduce((a, b) => Math.min(a, b), Infinity), values.reduce((a, b) => Math.max(a, b), -Infinity)];
   const scale = high > low ? (high - low) / 255 : 1;
   const q = Uint8Array.from(values, (v) => Math.round((v - low) / scale));
-  return { q, frames: 1, stride: q.length, step: 0, components: 1, scale, offset: low };
+  return { q, stride: q.length, step: 0, scale, offset: low };
 }
 
 function alive(frame: CoreFrame, cells: CellPart[]): FrameProtrusion[] {

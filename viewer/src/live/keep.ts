@@ -2,7 +2,7 @@
 import type { ProtrusionRow, Tracks } from "../contract";
 import { timeText } from "../numbers";
 import type { FilmImage, FilmIndex, LiveFilm, Numbers } from "./film";
-import { fieldFiles, type Scenario } from "./scenario";
+import { fieldKeys, type Scenario } from "./scenario";
 
 /** The kept simulation without its film. */
 interface KeptState {
@@ -130,15 +130,6 @@ function commands(scenario: Scenario): string[] {
 export function exported(scenario: Scenario, resolved: string, drawn: Record<string, string>): Record<string, string> {
   let toml = resolved;
   // The core has read the files from its own memory: "/f_degr.csv hash=..." is beside the scenario for the program.
-  for (const { file } of Object.values(fieldFiles))
-    toml = toml.replace(new RegExp(`"/${file.replace(".", "\\.")}[^"\\n]*"`), `"${file}"`);
+  for (const key of fieldKeys) toml = toml.replace(new RegExp(`"/${key}\\.csv[^"\\n]*"`), `"${key}.csv"`);
   return { "scenario.toml": `${commands(scenario).map((line) => `# ${line}`).join("\n")}\n\n${toml}`, ...drawn };
-}
-
-export function download(name: string, content: string): void {
-  const link = document.createElement("a");
-  link.href = URL.createObjectURL(new Blob([content], { type: "text/plain" }));
-  link.download = name;
-  link.click();
-  setTimeout(() => URL.revokeObjectURL(link.href), 10_000);
 }

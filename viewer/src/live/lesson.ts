@@ -13,41 +13,32 @@ export const questions: { ask: string; preset: string; then: string }[] = [
   { ask: "How much of it is chance?", preset: "baseline", then: "Begins with seed 1. Then take other seeds." },
 ];
 
-export interface Lesson {
-  element: HTMLElement;
-  presets(list: Preset[]): void;
-}
-
-export function lesson(): Lesson {
+export function lesson() {
   const list = h("ol", {});
   const note = "Let each run for six hours: distance and speed from the start come into the table of results, which can be saved. After a slider press Reset, and play.";
-  return {
-    element: h("details", { class: "lesson" }, h("summary", {}, "A lesson: five questions"), list, h("p", { class: "note" }, note)),
-    presets(all) {
-      const link = (preset: string) => toHash(fresh(all.find(({ name }) => name === preset)?.overrides));
-      list.replaceChildren(...questions.map(({ ask, preset, then }) => h("li", {}, h("a", { href: link(preset) }, ask), h("p", { class: "note" }, then))));
-    },
+  const summary = h("summary", {}, "A lesson: five questions");
+  const presets = (all: Preset[]) => {
+    const link = (preset: string) => toHash(fresh(all.find(({ name }) => name === preset)?.overrides));
+    const items = questions.map(({ ask, preset, then }) => [h("a", { href: link(preset) }, ask), h("p", { class: "note" }, then)]);
+    list.replaceChildren(...items.map((inside) => h("li", {}, ...inside)));
   };
+  return { element: h("details", { class: "lesson" }, summary, list, h("p", { class: "note" }, note)), presets };
 }
 
 // Which version the page is of, and the licences of what it contains.
 
-const unpacked = async (text: string): Promise<string> => new TextDecoder().decode(await inflate(fromBase64(text.trim())));
+const unpacked = async (text: string): Promise<string> => new TextDecoder().decode(await inflate(fromBase64(text.trim()))).trim();
 
 export function about(): HTMLElement {
   const text = document.getElementById("matrigrate-notices")?.textContent?.trim() ?? "";
   const end = text.indexOf("\n");
   const version = end < 0 ? "Matrigrate" : text.slice(0, end).replace(/(?<=commit [0-9a-f]{10})[0-9a-f]+/, "");
   const pre = h("pre", {});
-  const licences = h("details", { class: "licences" }, h("summary", {}, "Licences of what this page contains"), pre);
   // The text is long: it is compressed, and laid out only where it is read.
-  licences.addEventListener("toggle", () => {
-    pre.textContent = "";
-    if (licences.open)
-      unpacked(text.slice(end + 1)).then(
-        (terms) => (pre.textContent = terms.trim()),
-        (reason: unknown) => (pre.textContent = String(reason)),
-      );
-  });
-  return h("footer", {}, h("p", {}, `${version}. This page is one file: it asks no network, and may be copied and given away.`), licences);
+  const ontoggle = async ({ open }: HTMLDetailsElement) => {
+    pre.textContent = open ? await unpacked(text.slice(end + 1)).catch(String) : "";
+  };
+  const words = `${version}. This page is one file: it asks no network, and may be copied and given away.`;
+  const summary = h("summary", {}, "Licences of what this page contains");
+  return h("footer", {}, h("p", {}, words), h("details", { class: "licences", ontoggle }, summary, pre));
 }

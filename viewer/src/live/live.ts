@@ -1,14 +1,15 @@
 /** Joins the worker, what is set, what is shown and what is kept. */
 import type { ProtrusionRow } from "../contract";
-import { h, wantsStillness } from "../dom";
+import { h, messageOf, wantsStillness } from "../dom";
 import { timeText } from "../numbers";
-import { copied } from "../run/save/link";
+import { copyLink } from "../run/save/link";
+import { download } from "../run/save/saving";
 import { bar } from "./bar";
 import { brush } from "./brush";
 import { LiveClock } from "./clock";
 import { controls } from "./controls";
 import { EngineWorker } from "./engine";
-import { download, exported, keep, type Kept, kept } from "./keep";
+import { exported, keep, type Kept, kept } from "./keep";
 import { LiveFilm } from "./film";
 import { lesson } from "./lesson";
 import { results, resultsOf } from "./results";
@@ -35,6 +36,9 @@ const settingsOf = (changed: Changed) => Object.fromEntries(changed.map(({ path,
 
 export class Live {
   readonly parts: HTMLElement[];
+  private isSeen = (): void => undefined;
+  /** Fulfilled once something is shown. */
+  readonly seen = new Promise<void>((done) => (this.isSeen = done));
   readonly clock: LiveClock;
   film: LiveFilm | null = null;
   protrusions: ProtrusionRow[] = [];
@@ -55,7 +59,7 @@ export class Live {
   private gone = new AbortController();
   private lastKept = performance.now();
   private keeping = false;
-  private readonly holder = h("div", {}, h("p", { class: "stage-wait", role: "status" }, "Compiling the simulation \u2026"));
+  private readonly holder = h("div", {}, h("p", { class: "wait", role: "status" }, "Compiling the simulation \u2026"));
   private readonly side = h("div", {});
   private readonly below = h("div", {});
   private readonly troubles = new Troubles();
@@ -70,7 +74,7 @@ export class Live {
     toml: (toml) => void this.begin({ toml, settings: {}, strokes: [], changes: [] }, true),
   });
   private readonly lesson = lesson();
-  private readonly results = results(download, () => this.result());
+  private readonly results = results(() => this.result());
   private readonly bar: ReturnType<typeof bar>;
 
   constructor() {
@@ -85,17 +89,13 @@ export class Live {
       reset: () => void this.begin(this.settled(), false),
       goOn: () => this.goOn(),
       keep: () => void this.keep(true),
-      link: () => void this.copyLink(),
+      link: () => void copyLink(toHash(this.settled()), this.bar.tell),
       exported: () => void this.export(),
     });
-    this.parts = [
-      this.troubles.element,
-      h(
-        "section",
-        { class: "run-player", "aria-label": "Live simulation" },
-        h("div", { class: "player" }, h("div", { class: "screen" }, this.holder, this.bar.element, this.brush.element, this.below), h("div", { class: "aside" }, this.lesson.element, this.controls.element, this.results.element, this.side)),
-      ),
-    ];
+    const screen = h("div", { class: "screen" }, this.holder, this.bar.element, this.brush.element, this.below);
+    const aside = h("div", { class: "aside" }, this.lesson.element, this.controls.element, this.results.element, this.side);
+    const player = h("div", { class: "player" }, screen, aside);
+    this.parts = [this.troubles.element, h("section", { class: "run-player", "aria-label": "Live simulation" }, player)];
     document.addEventListener("visibilitychange", () => {
       if (document.visibilityState === "hidden") void this.keep(false);
     });
@@ -104,7 +104,7 @@ export class Live {
   /** For tests and the console. */
   state(): { t_s: number; playing: boolean; rate: number; painted: number; frames: number; scenario: Scenario } {
     const { clock, film, scenario, painted } = this;
-    return { t_s: clock.end, playing: clock.playing, rate: clock.measured, painted, frames: film?.film.times.length ?? 0, scenario };
+    return { t_s: clock.end, playing: clock.playing, rate: clock.rate, painted, frames: film?.film.times.length ?? 0, scenario };
   }
 
   play(to_s?: number): void {
@@ -138,10 +138,8 @@ export class Live {
       case "changed": {
         const { head, overrides, matrix } = message;
         if (head.from_s !== undefined) this.scenario.changes.push({ t: head.from_s, overrides });
-        const fibres = head.bonds_um.length > 0;
-        this.head = head;
-        this.matrix = matrix;
-        if (this.film && fibres !== (this.film.film.fibres !== null)) this.newFilm(head);
+        [this.head, this.matrix] = [head, matrix];
+        if (this.film && head.bonds_um.length > 0 !== (this.film.film.fibres !== null)) this.newFilm(head);
         else if (matrix.layers?.length) {
           this.film?.setMatrix(matrix);
           this.lookAway(); // its limits are others now
@@ -186,7 +184,7 @@ export class Live {
     try {
       return fromHash(location.hash);
     } catch (reason) {
-      this.wrongAddress = reason instanceof Error ? reason.message : String(reason);
+      this.wrongAddress = messageOf(reason);
       return null;
     }
   }
@@ -235,17 +233,15 @@ export class Live {
       return this.refused();
     }
     this.wanted = { scenario, kept: from, play };
-    const whole = given(start, ground);
     // Fields that were drawn are those of the start, whatever the stiffness became on the way.
-    this.engine.tell({ kind: "start", given: whole, image: from?.image });
+    this.engine.tell({ kind: "start", given: given(start, ground), image: from?.image });
   }
 
   private begun(head: Head, matrix: CoreMatrix): void {
     const { scenario, kept: from, play } = this.wanted ?? { scenario: this.scenario, play: false };
     this.wanted = null;
     this.scenario = scenario;
-    this.head = head;
-    this.matrix = matrix;
+    [this.head, this.matrix] = [head, matrix];
     this.tracks = from?.tracks ?? noTracks();
     this.protrusions = from?.protrusions ?? [];
     this.troubles.clear();
@@ -279,11 +275,11 @@ export class Live {
   private look(head: Head, film: LiveFilm): void {
     this.gone = new AbortController();
     this.shown = scene(head, film, this.clock, this.tracks, () => this.protrusions, this.brush, () => this.scenario.strokes, this.view, this.gone.signal);
-    this.shown.stage.onPaint(() => ++this.painted);
+    this.shown.stage.on("paint", () => ++this.painted);
     this.holder.replaceChildren(this.shown.stage.element);
-    this.side.replaceChildren(this.shown.protrusionsNow, this.shown.aside, this.shown.keys);
+    this.side.replaceChildren(...this.shown.aside);
     this.below.replaceChildren(this.shown.curves.element);
-    document.documentElement.dataset["ready"] = "true";
+    this.isSeen();
   }
 
   private set(path: string, value: string): void {
@@ -312,15 +308,10 @@ export class Live {
       document.documentElement.dataset["kept"] = String(t_s);
       if (asked) this.bar.tell(`Saved in this browser at ${timeText(t_s)}.`);
     } catch (reason) {
-      this.bar.tell(`Not saved: ${reason instanceof Error ? reason.message : String(reason)}`);
+      this.bar.tell(`Not saved: ${messageOf(reason)}`);
     } finally {
       this.keeping = false;
     }
-  }
-
-  private async copyLink(): Promise<void> {
-    const address = location.href.replace(/#.*$/, "") + toHash(this.settled());
-    this.bar.tell((await copied(address)) ? "Link copied." : `Link: ${address}`);
   }
 
   private async export(): Promise<void> {

@@ -20,7 +20,6 @@ export interface Given {
 /** Properties of a simulation, sent when it begins and when it changes. */
 export interface Head {
   t_s: number;
-  step: number;
   done: boolean;
   radius_um: number;
   spacing_um: number;
@@ -131,10 +130,10 @@ export type ToWorker =
 
 export type FromWorker =
   | { kind: "ready"; presets: Preset[]; laws: Law[] }
-  | { kind: "begun"; head: Head; matrix: CoreMatrix; resumed: boolean }
+  | { kind: "begun"; head: Head; matrix: CoreMatrix }
   | { kind: "changed"; head: Head; matrix: CoreMatrix; overrides: string[] }
   /** Rows of protrusions come only where they have changed. */
-  | { kind: "frame"; frame: CoreFrame; tracks: TrackRow[]; protrusions?: ProtrusionRow[]; step: number; done: boolean }
+  | { kind: "frame"; frame: CoreFrame; tracks: TrackRow[]; protrusions?: ProtrusionRow[]; done: boolean }
   | { kind: "stopped"; why: "paused" | "done" | "failed" }
   | { kind: "faults"; faults: Fault[]; of: "start" | "change" }
   | { kind: "failure"; text: string }

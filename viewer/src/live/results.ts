@@ -1,8 +1,9 @@
 /** What came of each run: a table for a class, which can be saved. Test: tests/live.test.ts */
 import type { Tracks } from "../contract";
-import { h, table } from "../dom";
+import { button, h, table } from "../dom";
 import { readable } from "../numbers";
 import { tracksOfCells } from "../run/cells";
+import { download } from "../run/save/saving";
 import { pascals, type Settings } from "./scenario";
 
 export interface Result {
@@ -39,7 +40,10 @@ export function resultsOf(tracks: Tracks, t: number, settings: Settings, changes
   });
 }
 
-const shown = (value: Result[keyof Result]): string => (typeof value === "number" ? (Number.isFinite(value) ? String(Number(value.toPrecision(6))) : "") : value);
+function shown(value: Result[keyof Result]): string {
+  if (typeof value === "string") return value;
+  return Number.isFinite(value) ? String(Number(value.toPrecision(6))) : "";
+}
 
 /** As other programs read it. Texts that begin as formulas of spreadsheets are none. */
 export function csv(all: Result[]): string {
@@ -47,36 +51,33 @@ export function csv(all: Result[]): string {
   return [columns.join(","), ...all.map((row) => columns.map((name) => quoted(shown(row[name]))).join(","))].join("\n") + "\n";
 }
 
-export interface Results {
-  element: HTMLElement;
-  /** Rows that are there already stay once. */
-  add(rows: Result[]): void;
-}
-
-/** @param save  offers a file   @param present  the run as it is now */
-export function results(save: (name: string, content: string) => void, present: () => Result[]): Results {
+/** @param present  the run as it is now */
+export function results(present: () => Result[]) {
   const all: Result[] = [];
   const holder = h("div", {});
-  const button = (text: string, name: string, act: () => void) => {
-    const made = h("button", { type: "button", name }, text);
-    made.addEventListener("click", act);
-    return made;
-  };
-  const saved = button("Save CSV", "save-results", () => save("matrigrate-live-results.csv", csv(all)));
+  const save = () => download("matrigrate-live-results.csv", csv(all));
+  const saved = button("Save CSV", { name: "save-results", onclick: save });
+  const text = (row: Result, name: keyof Result) =>
+    typeof row[name] === "number" && name !== "seed" ? readable(row[name], 3) : String(row[name]);
   const draw = () => {
     saved.disabled = all.length === 0;
-    const rows = all.map((row) => columns.map((name) => (typeof row[name] === "number" && name !== "seed" ? readable(row[name], 3) : String(row[name]))));
-    holder.replaceChildren(
-      all.length > 0 ? table(heads, rows, { numeric: [0, 1, 2, 3, 4, 5], caption: "Results" }) : h("p", { class: "note" }, "Each run that reaches its end leaves a row here."),
-    );
+    const rows = all.map((row) => columns.map((name) => text(row, name)));
+    const none = h("p", { class: "note" }, "Each run that reaches its end leaves a row here.");
+    holder.replaceChildren(all.length > 0 ? table("Results", heads, rows, [0, 1, 2, 3, 4, 5]) : none);
   };
+  /** Rows that are there already stay once. */
   const add = (rows: Result[]) => {
     const there = new Set(all.map((row) => csv([row])));
     all.push(...rows.filter((row) => !there.has(csv([row]))));
     draw();
   };
+  const clear = () => {
+    all.length = 0;
+    draw();
+  };
   draw();
-  const buttons = h("div", { class: "saving" }, saved, button("Add the run as it is", "add-result", () => add(present())), button("Clear", "clear-results", () => (all.splice(0), draw())));
+  const added = button("Add the run as it is", { name: "add-result", onclick: () => add(present()) });
+  const buttons = h("div", { class: "saving" }, saved, added, button("Clear", { name: "clear-results", onclick: clear }));
   return { element: h("details", { class: "results" }, h("summary", {}, "Results of the runs"), holder, buttons), add };
 }
 

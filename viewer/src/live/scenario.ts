@@ -3,8 +3,6 @@ import { h } from "../dom";
 import { pretty } from "../numbers";
 import type { Given, Law } from "./protocol";
 
-export type StrokeKind = "soft" | "stiff" | "hole" | "obstacle" | "bare" | "rich" | "attractant";
-
 /** A line drawn by a brush: points x0, y0, x1, y1, ... [um]. */
 export interface Stroke {
   kind: StrokeKind;
@@ -12,8 +10,9 @@ export interface Stroke {
   points: number[];
 }
 
-export interface BrushKind {
+interface BrushKind {
   name: string;
+  colour: string;
   field: FieldKey;
   /** From the value of the field elsewhere. */
   value: (elsewhere: number) => number;
@@ -24,31 +23,36 @@ export interface BrushKind {
 }
 
 /** What a brush makes of a field of the matrix. */
-export const brushes: Record<StrokeKind, BrushKind> = {
-  soft: { name: "Soft spot", field: "youngs_modulus", value: (E) => 0.25 * E },
-  stiff: { name: "Stiff spot", field: "youngs_modulus", value: (E) => 4 * E },
-  hole: { name: "Hole", field: "f_degr", value: () => 0 },
-  obstacle: { name: "Obstacle", field: "obstacle", value: () => 1 },
-  bare: { name: "No ligand", field: "ligand", value: () => 0 },
-  rich: { name: "Twice the ligand", field: "ligand", value: () => 2, bias: "exp(4*ligand)" },
+const kinds = {
+  soft: { name: "Soft spot", colour: "#56b4e9", field: "youngs_modulus", value: (E: number) => 0.25 * E },
+  stiff: { name: "Stiff spot", colour: "#7a3e9d", field: "youngs_modulus", value: (E: number) => 4 * E },
+  hole: { name: "Hole", colour: "#009e73", field: "f_degr", value: () => 0 },
+  obstacle: { name: "Obstacle", colour: "#3d4248", field: "obstacle", value: () => 1 },
+  bare: { name: "No ligand", colour: "#d55e00", field: "ligand", value: () => 0 },
+  rich: { name: "Twice the ligand", colour: "#cc79a7", field: "ligand", value: () => 2, bias: "exp(4*ligand)" },
   attractant: {
     name: "Source of attractant",
+    colour: "#e69f00",
     field: "attractant_source",
     value: () => 0.1,
     // Those of the preset attractant-source.
     needs: { "cues.diffusion": "10 um^2/s", "cues.decay": "1e-3 1/s", "cues.uptake": "0.01 1/s" },
     bias: "exp(20*occupancy)",
   },
-};
+} satisfies Record<string, BrushKind>;
+export type StrokeKind = keyof typeof kinds;
+export const brushes: Record<StrokeKind, BrushKind> = kinds;
 
-type FieldKey = "youngs_modulus" | "f_degr" | "obstacle" | "ligand" | "attractant_source";
-export const fieldFiles: Record<FieldKey, { path: string; file: string; column: string }> = {
-  obstacle: { path: "ecm.fields.obstacle", file: "obstacle.csv", column: "obstacle" },
-  youngs_modulus: { path: "ecm.fields.youngs_modulus", file: "youngs_modulus.csv", column: "E_Pa" },
-  f_degr: { path: "ecm.fields.f_degr", file: "f_degr.csv", column: "f_degr" },
-  ligand: { path: "ecm.fields.ligand", file: "ligand.csv", column: "ligand" },
-  attractant_source: { path: "ecm.fields.attractant_source", file: "attractant_source.csv", column: "attractant_source_per_s" },
+/** Fields that are drawn: the column of the file, and the value where nothing is drawn, of Young's modulus that of the scenario. */
+const fields = {
+  youngs_modulus: { column: "E_Pa", elsewhere: null },
+  f_degr: { column: "f_degr", elsewhere: 1 },
+  obstacle: { column: "obstacle", elsewhere: 0 },
+  ligand: { column: "ligand", elsewhere: 1 },
+  attractant_source: { column: "attractant_source_per_s", elsewhere: 0 },
 };
+type FieldKey = keyof typeof fields;
+export const fieldKeys = Object.keys(fields) as FieldKey[];
 
 /** Settings by parameter, as after --set. */
 export type Settings = Record<string, string>;
@@ -100,7 +104,7 @@ export function pascals(text: string): number {
 
 /** A grid of values at the places of the matrix particles, so that each of them gets exactly the value drawn there. */
 function grid(strokes: Stroke[], key: FieldKey, base: number, radius: number, spacing: number): string {
-  const lines = [`x_um,y_um,${fieldFiles[key].column}`];
+  const lines = [`x_um,y_um,${fields[key].column}`];
   const n = Math.ceil(radius / spacing);
   for (let j = -n; j <= n; ++j)
     for (let i = -n; i <= n; ++i) {
@@ -124,11 +128,10 @@ export interface Ground {
 /** The files of what was drawn. */
 export function drawnFiles(strokes: Stroke[], ground: Ground): Record<string, string> {
   const files: Record<string, string> = {};
-  const elsewhere: Record<FieldKey, number> = { youngs_modulus: ground.youngs_modulus, f_degr: 1, obstacle: 0, ligand: 1, attractant_source: 0 };
-  for (const key of Object.keys(elsewhere) as FieldKey[]) {
+  for (const key of fieldKeys) {
     const own = strokes.filter((stroke) => brushes[stroke.kind].field === key);
-    if (own.length === 0) continue;
-    files[fieldFiles[key].file] = grid(own, key, elsewhere[key], ground.radius, ground.spacing);
+    const base = fields[key].elsewhere ?? ground.youngs_modulus;
+    if (own.length > 0) files[`${key}.csv`] = grid(own, key, base, ground.radius, ground.spacing);
   }
   return files;
 }
@@ -136,15 +139,13 @@ export function drawnFiles(strokes: Stroke[], ground: Ground): Record<string, st
 /** For the core. */
 export function given(scenario: Scenario, ground: Ground): Given {
   const files = drawnFiles(scenario.strokes, ground);
-  const fields = Object.values(fieldFiles)
-    .filter(({ file }) => files[file] !== undefined)
-    .map(({ path, file }) => `${path}=/${file}`);
+  const drawn = fieldKeys.flatMap((key) => (`${key}.csv` in files ? `ecm.fields.${key}=/${key}.csv` : []));
   const needs: Settings = Object.assign({}, ...scenario.strokes.map(({ kind }) => brushes[kind].needs ?? {}));
   const biases = new Set(scenario.strokes.flatMap(({ kind }) => brushes[kind].bias ?? []));
   if (biases.size > 0) needs["laws.initiation_bias"] = [...biases].join(" * ");
   const missing = Object.entries(needs).filter(([path]) => !(path in ground.set));
   const settings = [...missing, ...Object.entries(scenario.settings)].map(([path, value]) => `${path}=${value}`);
-  return { toml: scenario.toml, overrides: [...settings, ...fields], files };
+  return { toml: scenario.toml, overrides: [...settings, ...drawn], files };
 }
 
 /** The settings as they are after all changes on the way. */
@@ -196,14 +197,6 @@ export function fromHash(hash: string): Scenario | null {
 
 // The laws of the model as formulas, to be changed while the cell moves.
 
-interface Laws {
-  element: HTMLElement;
-  /** What there is to change. */
-  list(all: Law[]): void;
-  /** @param refused  a formula that cannot be is still to be read, and mended */
-  show(settings: Settings, refused: boolean): void;
-}
-
 /** "Eq. 5: stiffness of a fibre over k_0 (eps)": the first clause of the meaning, which goes on with the arguments. */
 export function nameOf({ meaning, unit, arguments: names }: Law): string {
   const clause = /^(?:Eq\. \d+: )?.*?(?=[.:;] |$)/.exec(meaning)?.[0] ?? meaning;
@@ -214,23 +207,28 @@ export function nameOf({ meaning, unit, arguments: names }: Law): string {
 const constants = { path: "laws.constants", formula: "" };
 
 /** @param set  a law, or the constants, are to be another from now on */
-export function laws(set: (path: string, formula: string) => void): Laws {
+export function laws(set: (path: string, formula: string) => void) {
   const rows = h("div", { class: "laws" });
-  const element = h("details", { class: "formulas" }, h("summary", {}, "Laws as formulas"), rows, h("p", { class: "note" }, "Enter takes a formula; an empty one is the paper's. Lengths in \u00b5m, times in s, forces in nN, stresses in Pa."));
-  const inputs: { law: Pick<Law, "path" | "formula">; input: HTMLInputElement }[] = [];
-  const row = (law: Pick<Law, "path" | "formula">, name: string, title: string, placeholder = law.formula) => {
-    const input = h("input", { type: "text", name: law.path, spellcheck: "false", autocomplete: "off", placeholder, title });
-    input.addEventListener("change", () => set(law.path, input.value.trim() || law.formula));
+  const note = "Enter takes a formula; an empty one is the paper's. Lengths in \u00b5m, times in s, forces in nN, stresses in Pa.";
+  const summary = h("summary", {}, "Laws as formulas");
+  const element = h("details", { class: "formulas" }, summary, rows, h("p", { class: "note" }, note));
+  const inputs: { law: typeof constants; input: HTMLInputElement }[] = [];
+  const row = (law: typeof constants, name: string, title: string, placeholder = law.formula) => {
+    const text = { type: "text", spellcheck: "false", autocomplete: "off", placeholder, title };
+    const onchange = ({ value }: HTMLInputElement) => set(law.path, value.trim() || law.formula);
+    const input = h("input", { ...text, name: law.path, onchange });
     inputs.push({ law, input });
     rows.append(h("label", {}, h("span", {}, name), input));
   };
   return {
     element,
-    list(all) {
+    /** What there is to change. */
+    list(all: Law[]) {
       row(constants, "Constants of your own, first", "Names that the formulas below may use", "F_c = 0.05 nN, n = 2");
       for (const law of all) row(law, pretty(nameOf(law)), pretty(law.meaning));
     },
-    show(settings, refused) {
+    /** @param refused  a formula that cannot be is still to be read, and mended */
+    show(settings: Settings, refused: boolean) {
       for (const { law, input } of inputs) {
         const formula = settings[law.path] ?? law.formula;
         const wrong = refused && input.value.trim() !== "" && input.value !== formula;

@@ -11,7 +11,7 @@ import { Probe } from "../run/probe";
 import { Stage } from "../run/stage";
 import type { Brush } from "./brush";
 import type { LiveClock } from "./clock";
-import { curves, type Curves } from "./curves";
+import { curves } from "./curves";
 import type { LiveFilm } from "./film";
 import type { Head, TrackRow } from "./protocol";
 import type { Stroke } from "./scenario";
@@ -42,23 +42,9 @@ export function addTracks(tracks: Tracks, rows: TrackRow[]): void {
 }
 
 /** Camera and visible layers, so that a new start has the same view. */
-export interface View {
-  layer: string;
-  x: number;
-  y: number;
-  scale: number;
-  follow: boolean;
-}
-
-export const viewOf = ({ camera, follow, layer }: Stage): View => ({ layer: layer.key, x: camera.x, y: camera.y, scale: camera.scale, follow });
-
-export interface Scene {
-  stage: Stage;
-  curves: Curves;
-  keys: HTMLElement;
-  aside: HTMLElement;
-  protrusionsNow: HTMLElement;
-}
+export const viewOf = ({ camera: { x, y, scale }, follow, layer }: Stage) => ({ layer: layer.key, x, y, scale, follow });
+export type View = ReturnType<typeof viewOf>;
+export type Scene = ReturnType<typeof scene>;
 
 export function scene(
   head: Head,
@@ -70,14 +56,14 @@ export function scene(
   strokes: () => Stroke[],
   before: View | null,
   gone: AbortSignal,
-): Scene {
+) {
   const run: RunPage = {
     format: "matrigrate-run",
     version: 1,
     title: "Matrigrate live",
     status: "",
     t_end_s: head.duration_s,
-    geometry: { radius_um: head.radius_um, spacing_um: head.spacing_um, n_particles: head.n_particles, n_outline: head.n_outline },
+    geometry: head,
     summary: "",
     facts: [],
     tracks,
@@ -103,7 +89,7 @@ export function scene(
   showTime();
   stage.element.append(h("output", { class: "time" }, time, distance), viewButtons(stage));
   const keys = keyList(true);
-  attachKeys(clock, stage, new Probe(stage), all, keys, document, gone);
+  attachKeys(stage, new Probe(stage), keys, document, gone);
   brush.attach(stage, strokes);
   // Once it has a size: the cell with room to walk, or all cells.
   const show = () => {
@@ -116,11 +102,7 @@ export function scene(
     stage.viewChanged();
   };
   requestAnimationFrame(() => requestAnimationFrame(show));
-  return {
-    stage,
-    curves: curves(clock, tracks, rows, gone),
-    keys: keys.element,
-    aside: h("details", { class: "look", open: matchMedia("(min-width: 60rem)").matches }, h("summary", {}, "Colours and what is drawn"), panel(stage, film.film, all, gone)),
-    protrusionsNow: present(film.film, clock, gone),
-  };
+  const open = matchMedia("(min-width: 60rem)").matches;
+  const look = h("details", { class: "look", open }, h("summary", {}, "Colours and what is drawn"), panel(stage, gone));
+  return { stage, curves: curves(clock, tracks, rows, gone), aside: [present(film.film, clock, gone), look, keys.element] };
 }

@@ -1,5 +1,5 @@
 /** What is wrong, in words. */
-import { h } from "../dom";
+import { button, h } from "../dom";
 import type { Fault } from "./protocol";
 
 export class Troubles {
@@ -27,8 +27,7 @@ export class Troubles {
   }
 
   private show(...content: Node[]): void {
-    const close = h("button", { type: "button" }, "Close");
-    close.addEventListener("click", () => this.clear());
+    const close = button("Close", { onclick: () => this.clear() });
     this.element.replaceChildren(h("div", { class: "fault" }, ...content, close));
   }
 }

@@ -23,6 +23,8 @@ interface Core {
 
 declare function matrigrateCore(options: object): Promise<Core>;
 
+type Moment = Pick<Head, "t_s" | "done">;
+
 interface Refusal {
   faults?: Fault[];
   failure?: string;
@@ -56,7 +58,7 @@ function refused(answer: Refusal, of: "start" | "change"): boolean {
   return answer.faults !== undefined || answer.failure !== undefined;
 }
 
-function show(step: number, done: boolean): void {
+function show(done: boolean): void {
   const frame = core.frame(spare);
   spare = undefined;
   const tracks = read<TrackRow[]>(core.tracks());
@@ -65,14 +67,11 @@ function show(step: number, done: boolean): void {
   told = rows;
   waiting = true;
   lastFrame = performance.now();
-  send({ kind: "frame", frame, tracks, protrusions, step, done }, buffersOf(frame));
+  send({ kind: "frame", frame, tracks, protrusions, done }, buffersOf(frame));
 }
 
 /** Where the simulation is, which may be later than what has been shown. */
-function showNow(): void {
-  const { step, done } = read<{ step: number; done: boolean }>(core.march(0, 0));
-  show(step, done);
-}
+const here = () => read<Moment>(core.march(0, 0));
 
 function stop(why: "paused" | "done" | "failed"): void {
   playing = false;
@@ -81,13 +80,10 @@ function stop(why: "paused" | "done" | "failed"): void {
 
 function compute(): void {
   if (!playing) return;
-  const now = read<{ t_s: number; step: number; done: boolean }>(core.march(target, piece));
-  if (refused(now, "start")) {
-    stop("failed");
-    return;
-  }
+  const now = read<Moment>(core.march(target, piece));
+  if (refused(now, "start")) return stop("failed");
   const there = now.t_s >= target - 1e-6;
-  if (now.done || there || (!waiting && performance.now() - lastFrame >= between)) show(now.step, now.done);
+  if (now.done || there || (!waiting && performance.now() - lastFrame >= between)) show(now.done);
   if (now.done || there) stop(now.done ? "done" : "paused");
   else heartbeat.port2.postMessage(null);
 }
@@ -103,8 +99,8 @@ function begin(given: Given, image?: Uint8Array): void {
   if (refused(head, "start")) return;
   playing = false;
   told = "";
-  send({ kind: "begun", head, matrix: core.matrix(), resumed: image !== undefined });
-  show(head.step, head.done);
+  send({ kind: "begun", head, matrix: core.matrix() });
+  show(head.done);
 }
 
 function act(message: ToWorker): void {
@@ -124,25 +120,24 @@ function act(message: ToWorker): void {
       return heartbeat.port2.postMessage(null);
     case "pause":
       if (!playing) return;
-      showNow();
+      show(here().done);
       return stop("paused");
     case "step": {
       playing = false;
-      const now = read<{ step: number; done: boolean }>(core.step());
-      if (!refused(now, "start")) show(now.step, now.done);
+      const now = read<Moment>(core.step());
+      if (!refused(now, "start")) show(now.done);
       return;
     }
     case "change": {
       const head = read<Head>(core.change(JSON.stringify(message.overrides)));
       if (refused(head, "change")) return;
       send({ kind: "changed", head, matrix: core.matrix(), overrides: message.overrides });
-      if (!playing) show(head.step, head.done);
+      if (!playing) show(head.done);
       return;
     }
     case "image": {
       const bytes = core.image();
-      const { t_s } = read<{ t_s: number }>(core.march(0, 0));
-      return send({ kind: "answer", ticket: message.ticket, bytes, t_s }, [bytes.buffer as ArrayBuffer]);
+      return send({ kind: "answer", ticket: message.ticket, bytes, t_s: here().t_s }, [bytes.buffer as ArrayBuffer]);
     }
     case "seen":
       waiting = false;
@@ -158,9 +153,8 @@ matrigrateCore({}).then(
     self.onmessage = (event: MessageEvent<ToWorker>) => act(event.data);
     send({ kind: "ready", presets: read<Preset[]>(core.presets()), laws: read<Law[]>(core.laws()) });
   },
-  (reason: unknown) =>
-    send({
-      kind: "failure",
-      text: `This browser cannot run the simulation (WebAssembly with SIMD is needed): ${String(reason)}`,
-    }),
+  (reason: unknown) => {
+    const text = `This browser cannot run the simulation (WebAssembly with SIMD is needed): ${String(reason)}`;
+    send({ kind: "failure", text });
+  },
 );

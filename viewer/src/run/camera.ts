@@ -16,7 +16,7 @@ export class Camera {
   height = 1;
   private smallest = 0.1;
 
-  constructor(private readonly whole: Box) {}
+  constructor(readonly whole: Box) {}
 
   resize(width: number, height: number): void {
     // The visible width in um is kept when a window or a phone is turned.
@@ -34,10 +34,6 @@ export class Camera {
     this.x = 0.5 * (box.left + box.right);
     this.y = 0.5 * (box.bottom + box.top);
     this.scale = this.fitting(box);
-  }
-
-  showWhole(): void {
-    this.show(this.whole);
   }
 
   toScreenX(x: number): number {
@@ -73,4 +69,59 @@ export class Camera {
     this.scale = scale;
     return true;
   }
+}
+
+/** Where the pointer is on an element. */
+export function placeOn(element: Element, { clientX, clientY }: MouseEvent): { x: number; y: number } {
+  const box = element.getBoundingClientRect();
+  return { x: clientX - box.left, y: clientY - box.top };
+}
+
+export const onButton = ({ target }: Event): boolean => target instanceof Element && target.closest("button") !== null;
+
+/** Wheel, drag and pinch on the stage become zoom and pan of the camera. */
+export function attachGestures(stage: HTMLElement, camera: Camera, changed: (panned: boolean) => void): void {
+  const fingers = new Map<number, { x: number; y: number }>();
+  const place = (event: MouseEvent) => placeOn(stage, event);
+  stage.addEventListener(
+    "wheel",
+    (event) => {
+      const { x, y } = place(event);
+      const pixels = event.deltaMode === 1 ? 16 * event.deltaY : event.deltaY;
+      // At the widest view the wheel is left to the page, so that nobody is caught in the picture.
+      if (camera.zoom(Math.exp(-pixels / 300), x, y)) {
+        event.preventDefault();
+        changed(false);
+      }
+    },
+    { passive: false },
+  );
+
+  stage.addEventListener("pointerdown", (event) => {
+    if (event.button !== 0 || onButton(event)) return;
+    fingers.set(event.pointerId, place(event));
+    stage.setPointerCapture(event.pointerId);
+    stage.classList.add("dragging");
+  });
+
+  stage.addEventListener("pointermove", (event) => {
+    const before = fingers.get(event.pointerId);
+    if (!before) return;
+    const now = place(event);
+    const other = [...fingers].find(([id]) => id !== event.pointerId)?.[1];
+    if (other) {
+      const [was, is] = [before, now].map(({ x, y }) => Math.hypot(x - other.x, y - other.y));
+      if (was > 0 && is > 0) camera.zoom(is / was, 0.5 * (now.x + other.x), 0.5 * (now.y + other.y));
+      camera.pan(0.5 * (now.x - before.x), 0.5 * (now.y - before.y));
+    } else camera.pan(now.x - before.x, now.y - before.y);
+    fingers.set(event.pointerId, now);
+    changed(Math.hypot(now.x - before.x, now.y - before.y) > 0);
+  });
+
+  const release = (event: PointerEvent) => {
+    fingers.delete(event.pointerId);
+    if (fingers.size === 0) stage.classList.remove("dragging");
+  };
+  stage.addEventListener("pointerup", release);
+  stage.addEventListener("pointercancel", release);
 }

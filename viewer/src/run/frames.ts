@@ -1,7 +1,6 @@
 /** The stored frames, unpacked, and the place of a time among them. */
-import type { FrameProtrusion, Frames, LayerWords, RunPage } from "../contract";
+import type { FibreData, FrameProtrusion, LayerWords, RunPage } from "../contract";
 import { type Field, unpack, valueAt } from "../embedded";
-import { fibresOf, type Fibres } from "./bonds";
 import type { Box } from "./camera";
 import { cellParts, type CellPart } from "./cells";
 
@@ -42,46 +41,42 @@ export interface Place {
   fraction: number;
 }
 
+/** What all of them promise. */
+const all = async <T extends object>(of: T): Promise<{ [K in keyof T]: Awaited<T[K]> }> =>
+  Object.fromEntries(await Promise.all(Object.entries(of).map(async ([name, one]) => [name, await one])));
+
 export async function film(run: RunPage): Promise<Film | null> {
-  const frames: Frames | null | undefined = run.frames;
+  const { frames } = run;
   if (!frames || frames.times_s.length === 0) return null;
   const n = frames.times_s.length;
-  const { particles: p, outline: o } = frames;
-  const [reference, x, f, pressure, vonMises, fibreVonMises, attractant, layers] = await Promise.all([
-    unpack(frames.reference, "reference positions", 1),
-    unpack(p.x, "particle positions", n),
-    unpack(p.f, "intact matrix", n),
-    unpack(p.pressure, "pressure", n),
-    unpack(p.von_mises, "von Mises stress", n),
-    p.fibre_von_mises ? unpack(p.fibre_von_mises, "von Mises stress of the fibres", n) : null,
-    p.attractant ? unpack(p.attractant, "attractant", n) : null,
-    Promise.all((p.layers ?? []).map(async ({ values, ...words }) => ({ ...words, field: await unpack(values, words.title, n) }))),
-  ]);
-  const [ox, front, protrusion, fMat, force, nucleus] = await Promise.all([
-    unpack(o.x, "outline", n),
-    unpack(o.front, "front", n),
-    unpack(o.protrusion, "protrusion of the outline", n),
-    unpack(o.f_mat, "maturation of the outline", n),
-    unpack(o.force, "force on the outline", n),
-    o.nucleus ? unpack(o.nucleus, "nucleus", n) : null,
-  ]);
-  if (frames.protrusions.length !== n)
-    throw new Error(`protrusions of ${frames.protrusions.length} frames instead of ${n}`);
+  const { particles: p, outline: o, protrusions } = frames;
+  const layer = async ({ values, ...words }: NonNullable<typeof p.layers>[number]) => ({ ...words, field: await unpack(values, words.title, n) });
+  const particles = await all({
+    reference: unpack(frames.reference, "reference positions", 1),
+    x: unpack(p.x, "particle positions", n),
+    f: unpack(p.f, "intact matrix", n),
+    pressure: unpack(p.pressure, "pressure", n),
+    vonMises: unpack(p.von_mises, "von Mises stress", n),
+    fibreVonMises: p.fibre_von_mises ? unpack(p.fibre_von_mises, "von Mises stress of the fibres", n) : null,
+    attractant: p.attractant ? unpack(p.attractant, "attractant", n) : null,
+    nucleus: o.nucleus ? unpack(o.nucleus, "nucleus", n) : null,
+    layers: Promise.all((p.layers ?? []).map(layer)),
+  });
+  const outline = await all({
+    x: unpack(o.x, "outline", n),
+    front: unpack(o.front, "front", n),
+    protrusion: unpack(o.protrusion, "protrusion of the outline", n),
+    fMat: unpack(o.f_mat, "maturation of the outline", n),
+    force: unpack(o.force, "force on the outline", n),
+  });
+  if (protrusions.length !== n) throw new Error(`protrusions of ${protrusions.length} frames instead of ${n}`);
   return {
+    ...particles,
     times: frames.times_s,
-    reference,
-    x,
-    f,
-    pressure,
-    vonMises,
-    fibreVonMises,
-    attractant,
-    layers,
-    fibres: frames.fibres && frames.fibres.bonds_um.length > 0 ? fibresOf(frames.fibres, reference) : null,
+    fibres: frames.fibres && frames.fibres.bonds_um.length > 0 ? fibresOf(frames.fibres, particles.reference) : null,
     obstacles: frames.obstacles_um ?? [],
-    outline: { x: ox, front, protrusion, fMat, force },
-    nucleus,
-    protrusions: frames.protrusions,
+    outline,
+    protrusions,
     particles: frames.reference.per_frame,
     outlinePoints: o.x.per_frame,
     cells: cellParts(o.x.per_frame, o.cell),
@@ -115,11 +110,14 @@ export function outlineAt(film: Film, place: Place): Float32Array {
   return out;
 }
 
+/** Four frames, or fewer of a short film, by which a whole film is judged. */
+export const fewFrames = ({ times }: Film): Set<number> =>
+  new Set([0.25, 0.5, 0.75, 1].map((share) => Math.round(share * (times.length - 1))));
+
 /** Displacement that all but one in a thousand stay under, so that a few particles do not take the whole colour bar [um]. */
 export function usualDisplacement(film: Film): number {
   const sizes: number[] = [];
-  const frames = [...new Set([0.25, 0.5, 0.75, 1].map((share) => Math.round(share * (film.times.length - 1))))];
-  for (const frame of frames)
+  for (const frame of fewFrames(film))
     for (let i = 0; i < film.particles; ++i) {
       if (valueAt(film.f, frame, i) < 0.5) continue;
       const dx = valueAt(film.x, frame, 2 * i) - valueAt(film.reference, 0, 2 * i);
@@ -133,15 +131,70 @@ export function usualDisplacement(film: Film): number {
 
 /** Where the cell is at any stored time, with a margin: the first view. */
 export function visitedBox(film: Film): Box {
-  const box = { left: Infinity, right: -Infinity, bottom: Infinity, top: -Infinity };
+  const margin = 12;
+  let [left, right, bottom, top] = [Infinity, -Infinity, Infinity, -Infinity];
   for (let frame = 0; frame < film.times.length; ++frame)
     for (let i = 0; i < film.outlinePoints; ++i) {
       const [x, y] = [valueAt(film.outline.x, frame, 2 * i), valueAt(film.outline.x, frame, 2 * i + 1)];
-      box.left = Math.min(box.left, x);
-      box.right = Math.max(box.right, x);
-      box.bottom = Math.min(box.bottom, y);
-      box.top = Math.max(box.top, y);
+      [left, right] = [Math.min(left, x - margin), Math.max(right, x + margin)];
+      [bottom, top] = [Math.min(bottom, y - margin), Math.max(top, y + margin)];
     }
-  const margin = 12;
-  return { left: box.left - margin, right: box.right + margin, bottom: box.bottom - margin, top: box.top + margin };
+  return { left, right, bottom, top };
+}
+
+// Fibres from the bonds of the lattice: which particles each of them joins. They are the same at all times.
+
+export interface Fibres {
+  /** Particles at both ends of each fibre. */
+  ends: Uint32Array;
+  /** At rest [um]. */
+  length: Float32Array;
+  /** Fibres per particle; each fibre is counted at one of its ends. */
+  bonds: number;
+  /** Strain from which on they stiffen. */
+  onset: number;
+}
+
+/** Bonds without those that lie along a shorter one, which would be drawn over it. */
+function distinct(bonds: [number, number][]): [number, number][] {
+  const along = (a: readonly number[], b: readonly number[]) =>
+    Math.abs(a[0] * b[1] - a[1] * b[0]) < 1e-3 * Math.hypot(...a) * Math.hypot(...b);
+  return bonds.filter((b) => !bonds.some((a) => along(a, b) && Math.hypot(...a) < Math.hypot(...b) - 1e-3));
+}
+
+/** Finds the particles at both ends of each fibre. */
+export function fibresOf(data: FibreData, reference: Field): Fibres {
+  const bonds = distinct(data.bonds_um);
+  const n = reference.stride / 2;
+  const X = (i: number) => valueAt(reference, 0, 2 * i);
+  const Y = (i: number) => valueAt(reference, 0, 2 * i + 1);
+  // A grid whose cells hold one particle at most.
+  const side = 0.5 * Math.min(...bonds.map((b) => Math.hypot(...b)));
+  let [left, bottom, right, top] = [Infinity, Infinity, -Infinity, -Infinity];
+  for (let i = 0; i < n; ++i) {
+    [left, right] = [Math.min(left, X(i)), Math.max(right, X(i))];
+    [bottom, top] = [Math.min(bottom, Y(i)), Math.max(top, Y(i))];
+  }
+  const [columns, rows] = [Math.floor((right - left) / side) + 1, Math.floor((top - bottom) / side) + 1];
+  const column = (x: number) => Math.floor((x - left) / side);
+  const row = (y: number) => Math.floor((y - bottom) / side);
+  const grid = new Int32Array(columns * rows).fill(-1);
+  for (let i = 0; i < n; ++i) grid[row(Y(i)) * columns + column(X(i))] = i;
+  const at = (x: number, y: number): number => {
+    for (let r = Math.max(0, row(y) - 1); r <= Math.min(rows - 1, row(y) + 1); ++r)
+      for (let c = Math.max(0, column(x) - 1); c <= Math.min(columns - 1, column(x) + 1); ++c) {
+        const i = grid[r * columns + c];
+        if (i >= 0 && Math.hypot(X(i) - x, Y(i) - y) < 0.2 * side) return i;
+      }
+    return -1;
+  };
+  const [ends, length]: [number[], number[]] = [[], []];
+  for (let i = 0; i < n; ++i)
+    for (const [dx, dy] of bonds) {
+      const j = at(X(i) + dx, Y(i) + dy);
+      if (j < 0) continue;
+      ends.push(i, j);
+      length.push(Math.hypot(dx, dy));
+    }
+  return { ends: Uint32Array.from(ends), length: Float32Array.from(length), bonds: bonds.length, onset: data.onset };
 }

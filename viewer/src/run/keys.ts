@@ -1,7 +1,5 @@
 /** Keys of the player. Where they act from anywhere on the page, they leave controls their own keys. */
-import type { Clock } from "./clock";
-import { h } from "../dom";
-import type { Layer } from "./matrix/layers";
+import { choice, h } from "../dom";
 import type { Probe } from "./probe";
 import type { Stage } from "./stage";
 
@@ -18,24 +16,21 @@ const help: [string, string][] = [
   ["V", "value in the middle of the view"],
 ];
 
-export interface Keys {
-  element: HTMLElement;
-  /** True if the keys act on the whole page; else only on the picture and the time bar. */
-  anywhere: () => boolean;
+/**
+ * @param choosable  the keys may act on the whole page; not all readers of screens and of speech can do with that
+ * @return with `anywhere`: true if they do; else they act on the picture and the time bar alone
+ */
+export function keyList(choosable: boolean) {
+  const keys = { element: h("details", { class: "keys" }, h("summary", {}, "Keys")), anywhere: choosable };
+  const row = ([key, what]: [string, string]) => h("div", {}, h("dt", {}, h("kbd", {}, key)), h("dd", {}, what));
+  keys.element.append(h("dl", {}, ...help.map(row)));
+  const words = "They act anywhere on this page, not only on the picture and the time bar";
+  const box = choice({ name: "keys-anywhere", checked: true }, words, (on) => (keys.anywhere = on));
+  if (choosable) keys.element.append(box.label);
+  return keys;
 }
 
-/** @param choosable  the keys may act on the whole page; not all readers of screens and of speech can do with that */
-export function keyList(choosable: boolean): Keys {
-  const box = h("input", { type: "checkbox", name: "keys-anywhere", checked: true });
-  const element = h(
-    "details",
-    { class: "keys" },
-    h("summary", {}, "Keys"),
-    h("dl", {}, ...help.map(([key, what]) => h("div", {}, h("dt", {}, h("kbd", {}, key)), h("dd", {}, what)))),
-    choosable ? h("label", {}, box, "They act anywhere on this page, not only on the picture and the time bar") : null,
-  );
-  return { element, anywhere: () => choosable && box.checked };
-}
+type Keys = Pick<ReturnType<typeof keyList>, "anywhere">;
 
 /** True if a control uses the key itself. */
 function isTaken(target: Element, key: string): boolean {
@@ -46,15 +41,8 @@ function isTaken(target: Element, key: string): boolean {
 }
 
 /** @param from  where keys are listened to   @param gone  when they no longer are */
-export function attachKeys(
-  clock: Clock,
-  stage: Stage,
-  probe: Probe,
-  all: Layer[],
-  keys: Keys,
-  from: Document | HTMLElement,
-  gone: AbortSignal,
-): void {
+export function attachKeys(stage: Stage, probe: Probe, keys: Keys, from: Document | HTMLElement, gone: AbortSignal): void {
+  const { clock } = stage;
   const actions: Record<string, () => unknown> = {
     " ": () => clock.toggle(),
     ArrowRight: () => clock.step(1),
@@ -81,17 +69,16 @@ export function attachKeys(
     ArrowDown: () => stage.pan(0, -step),
   };
   const nextLayer = (by: 1 | -1) => {
-    const i = all.indexOf(stage.layer);
-    stage.choose(all[(i + by + all.length) % all.length]);
+    const all = stage.layers;
+    stage.choose(all[(all.indexOf(stage.layer) + by + all.length) % all.length]);
   };
   const pressed = (event: Event) => {
-    if (!(event instanceof KeyboardEvent)) return;
-    if (event.ctrlKey || event.metaKey || event.altKey) return;
+    if (!(event instanceof KeyboardEvent) || event.ctrlKey || event.metaKey || event.altKey) return;
     const target = event.target instanceof Element ? event.target : null;
     const scrubber = target?.matches(".scrub") ?? false;
     const inPlayer = target === null || target === document.body || target === stage.element || scrubber;
     const onPicture = target === stage.element || scrubber;
-    if (!onPicture && from === document && !keys.anywhere()) return;
+    if (!onPicture && from === document && !keys.anywhere) return;
     // A focused button takes the space bar, a choice takes the arrows, a page is scrolled by Home and End.
     if (!inPlayer && target && isTaken(target, event.key)) return;
     if ((event.key === "Home" || event.key === "End") && !onPicture) return;

@@ -1,55 +1,31 @@
 /** What the colours and signs of the stage mean, with units and numbers. */
-import {
-  cellColourCount,
-  cellColours,
-  css,
-  gelOnDark,
-  gelOnLight,
-  gradient,
-  mapped,
-  nucleusColour,
-  phaseColours,
-  phaseColoursOnDark,
-} from "../colour";
+import { cellColourCount, cellColours, css, gelOn, gradient, mapped, nucleusColour, phaseColoursOn } from "../colour";
 import { phaseNames } from "../contract";
 import { h, isDark, s } from "../dom";
 import { hasColours } from "./over/edge";
-import { measuredLine, obstacleColour, obstacleColourOnDark } from "./over/marks";
+import { measuredLine, obstacleColour } from "./over/marks";
 import { readable } from "../numbers";
 import { tractionColour } from "./over/arrows";
+import { ink } from "./over/pen";
 import { titleOf, type Layer } from "./matrix/layers";
-import type { LayerScale } from "./matrix/scale";
+import type { Coloured, LayerScale } from "./matrix/scale";
 import type { Stage } from "./stage";
 
-/** The colour bar of a layer; an arrow marks an end beyond which values lie. */
-function strip(scale: LayerScale): HTMLElement {
-  const beyond = scale.clamped();
-  const ends = `${beyond.low ? " more-low" : ""}${beyond.high ? " more-high" : ""}`;
-  return h("div", { class: `bar${ends}`, style: `background:${gradient(scale.on(isDark()).map)}` });
-}
+/** The numbers at the ends of a bar. */
+export const endsOf = ({ low, high }: Coloured["scale"], beyond: Coloured["clamped"]): [string, string] =>
+  [(beyond.low ? "\u2264 " : "") + readable(low, 3), (beyond.high ? "\u2265 " : "") + readable(high, 3)];
 
-/** The numbers at the ends and in the middle of a bar. */
-function barNumbers(scale: LayerScale, middle: boolean): HTMLElement {
-  const beyond = scale.clamped();
-  const value = (share: number) => readable(scale.low + share * (scale.high - scale.low), 3);
-  return h(
-    "div",
-    { class: "bar-numbers" },
-    h("span", {}, (beyond.low ? "\u2264 " : "") + value(0)),
-    middle ? h("span", {}, value(0.5)) : null,
-    h("span", {}, (beyond.high ? "\u2265 " : "") + value(1)),
-  );
-}
+const barNumbers = (numbers: string[]) => h("div", { class: "bar-numbers" }, ...numbers.map((number) => h("span", {}, number)));
 
 /** In the picture: what its colours mean, in short. Pixel by pixel, so that the same view is the same picture. */
-export function smallBar(layer: Layer, scale: LayerScale): HTMLElement[] {
+export function smallBar({ layer, scale, clamped }: Coloured): HTMLElement[] {
   const canvas = h("canvas", { width: 120, height: 8 });
   const c = canvas.getContext("2d");
   for (let x = 0; c && x < canvas.width; ++x) {
-    c.fillStyle = css(mapped(scale.on(isDark()).map, (x + 0.5) / canvas.width));
+    c.fillStyle = css(mapped(scale.map, (x + 0.5) / canvas.width));
     c.fillRect(x, 0, 1, canvas.height);
   }
-  const numbers = barNumbers(scale, false);
+  const numbers = barNumbers(endsOf(scale, clamped));
   const words = numbers.textContent?.length ?? 0;
   const { ends } = layer;
   // Where there is room for them.
@@ -57,129 +33,97 @@ export function smallBar(layer: Layer, scale: LayerScale): HTMLElement[] {
   return [h("span", {}, titleOf(layer)), canvas, numbers];
 }
 
-/** The colour bar of a layer, with low, middle and high value. */
+/** The colour bar of what has colours, with low, middle and high value. */
+export function bareBar({ layer, scale, clamped }: Coloured): HTMLElement[] {
+  const ends = `${clamped.low ? " more-low" : ""}${clamped.high ? " more-high" : ""}`;
+  const [low, high] = endsOf(scale, clamped);
+  return [
+    h("p", { class: "legend-title" }, titleOf(layer)),
+    h("div", { class: `bar${ends}`, style: `background:${gradient(scale.map)}` }),
+    barNumbers([low, readable(0.5 * (scale.low + scale.high), 3), high]),
+  ];
+}
+
+/** The colour bar of a layer with what is to be known of it. An arrow marks an end beyond which values lie. */
 export function colourBar(layer: Layer, scale: LayerScale): HTMLElement {
-  const dark = isDark();
-  const beyond = scale.clamped();
-  const ground = css((dark ? gelOnDark : gelOnLight)[0]);
+  const bar = scale.bar(isDark());
+  const { low, high } = bar.clamped;
+  const note = (...words: (HTMLElement | string)[]) => h("p", { class: "note" }, ...words);
+  const which = low && high ? "both ends" : "the pointed end";
+  const beyond = `Values beyond ${which} have the colour of that end${scale.limits.edited ? " and are hatched" : ""}.`;
+  const swatch = h("span", { class: "swatch", style: `background:${css(gelOn(isDark())[0])}` });
   return h(
     "div",
     { class: "legend-layer" },
-    h("p", { class: "legend-title" }, titleOf(layer)),
-    strip(scale),
-    barNumbers(scale, true),
-    layer.ends
-      ? h("div", { class: "bar-numbers words" }, h("span", {}, layer.ends[0]), h("span", {}, layer.ends[1]))
-      : null,
-    h("p", { class: "note" }, layer.note),
-    beyond.low || beyond.high
-      ? h(
-          "p",
-          { class: "note" },
-          `Values beyond ${beyond.low && beyond.high ? "both ends" : "the pointed end"} have the colour of that end${scale.limits.edited ? " and are hatched" : ""}.`,
-        )
-      : null,
-    layer.solidOnly
-      ? h("p", { class: "note sign" }, h("span", { class: "swatch", style: `background:${ground}` }), "fluid: no value")
-      : null,
+    ...bareBar(bar),
+    layer.ends && h("div", { class: "bar-numbers words" }, ...layer.ends.map((end) => h("span", {}, end))),
+    note(layer.note),
+    (low || high) && note(beyond),
+    layer.solidOnly && note(swatch, "fluid: no value"),
   );
 }
 
 const sign = (...children: SVGElement[]) =>
   s("svg", { viewBox: "0 0 30 14", width: 30, height: 14, "aria-hidden": "true" }, ...children);
 
-const half = (x: number, width: number, fill: string) => s("rect", { x, width, height: 14, fill });
+const patch = (fill: string, rx = 2) => sign(s("rect", { width: 30, height: 14, rx, fill }));
+const half = (x: number, fill: string) => s("rect", { x, width: 15, height: 14, fill });
+
+type Entry = [picture: SVGElement, words: string];
 
 /** Front and rear of a single cell; of several the colours of each: "cell 1, 9". */
-function cellSigns(cells: number): [SVGElement, string][] {
-  if (cells < 2) {
-    const { front, rear } = cellColours(0, cells);
-    return [
-      [sign(s("rect", { width: 30, height: 14, rx: 2, fill: front })), "front"],
-      [sign(s("rect", { width: 30, height: 14, rx: 2, fill: rear })), "rear"],
-    ];
-  }
+function cellSigns(cells: number): Entry[] {
+  if (cells < 2) return [[patch(cellColours(0, cells).front), "front"], [patch(cellColours(0, cells).rear), "rear"]];
   return Array.from({ length: Math.min(cells, cellColourCount) }, (_, k) => {
     const { front, rear } = cellColours(k, cells);
     const numbers = Array.from({ length: Math.ceil((cells - k) / cellColourCount) }, (_, n) => 1 + k + n * cellColourCount);
     const words = `cell ${numbers.slice(0, 4).join(", ")}${numbers.length > 4 ? ", \u2026" : ""}${k === 0 ? " (rear, front)" : ""}`;
-    return [sign(half(0, 15, rear), half(15, 15, front)), words];
+    return [sign(half(0, rear), half(15, front)), words];
   });
 }
 
 /** Phases of protrusions, on the edge of the cell or, where it has other colours, of adhesions alone. */
-function protrusionSigns(colours: string[], onEdge: boolean, adhesions: boolean): [SVGElement, string][] {
-  const line = (k: number) =>
-    s("path", { d: "M1 7h28", stroke: colours[k], "stroke-width": 4, "stroke-dasharray": k === 3 ? "5 3" : undefined });
+function protrusionSigns(colours: string[], onEdge: boolean, adhesions: boolean): Entry[] {
+  const line = (stroke: string, k: number) =>
+    s("path", { d: "M1 7h28", stroke, "stroke-width": 4, "stroke-dasharray": k === 3 ? "5 3" : undefined });
   const adhesion = (k: number, r: number) =>
     sign(
       s("path", { d: "M2 7h20", stroke: colours[k], "stroke-width": 1.6 }),
       s("circle", { cx: 23, cy: 7, r, fill: colours[k] }),
     );
-  const out: [SVGElement, string][] = onEdge ? phaseNames.map((name, k) => [sign(line(k)), name]) : [];
-  if (adhesions && onEdge) out.push([adhesion(2, 5), "adhesion, larger when mature"]);
-  if (adhesions && !onEdge)
-    out.push([adhesion(1, 3.5), "adhesion, maturing"], [adhesion(2, 5), "adhesion, contracting"]);
-  return out;
+  const phases = onEdge ? phaseNames.map((name, k): Entry => [sign(line(colours[k], k)), name]) : [];
+  if (!adhesions) return phases;
+  if (onEdge) return [...phases, [adhesion(2, 5), "adhesion, larger when mature"]];
+  return [[adhesion(1, 3.5), "adhesion, maturing"], [adhesion(2, 5), "adhesion, contracting"]];
 }
 
-/** What a stage draws. */
-export type Signed = Pick<Stage, "film" | "shown" | "edge" | "measured" | "hasObstacles">;
+const arrow = (d: string, stroke: string, width: number) => sign(s("path", { d, stroke, "stroke-width": width, fill: "none" }));
+
+/** The start of a path, and the path. */
+function pathSign(dark: boolean): SVGElement {
+  const { line, edge } = ink(dark);
+  const pen = { stroke: line, "stroke-width": 1.6 };
+  return sign(s("path", { d: "M5 7h24", ...pen }), s("circle", { cx: 5, cy: 7, r: 3.4, fill: edge, ...pen }));
+}
+
+function measuredSign(dark: boolean): SVGElement {
+  const wave = { d: "M2 9l7 -5l8 6l6 -5l6 3", fill: "none", "stroke-linejoin": "round", "stroke-linecap": "round" };
+  return sign(...measuredLine(dark).map(({ colour, width }) => s("path", { ...wave, stroke: colour, "stroke-width": width })));
+}
 
 /** The signs drawn over the matrix, of what the stage draws. */
-export function signs({ film, shown, edge, measured, hasObstacles }: Signed): HTMLElement {
+export function signs({ film, shown, edge, measured }: Pick<Stage, "film" | "shown" | "edge" | "measured">): HTMLElement {
   const dark = isDark();
-  const colours = dark ? phaseColoursOnDark : phaseColours;
-  const line = dark ? "#fff" : "#1f2328";
-  const entry = (picture: SVGElement, words: string) => h("li", {}, picture, words);
-  return h(
-    "ul",
-    { class: "signs" },
-    hasObstacles
-      ? entry(
-          sign(s("rect", { width: 30, height: 14, fill: dark ? obstacleColourOnDark : obstacleColour })),
-          "rigid obstacle",
-        )
-      : null,
-    ...(shown.cell ? cellSigns(film.cells.length) : []).map(([picture, words]) => entry(picture, words)),
-    shown.cell && film.nucleus
-      ? entry(sign(s("rect", { width: 30, height: 14, rx: 2, fill: nucleusColour })), "nucleus")
-      : null,
-    ...protrusionSigns(colours, shown.protrusions && !hasColours(edge, shown), shown.adhesions).map(([picture, words]) =>
-      entry(picture, words),
-    ),
-    shown.path
-      ? entry(
-          sign(
-            s("path", { d: "M5 7h24", stroke: line, "stroke-width": 1.6 }),
-            s("circle", { cx: 5, cy: 7, r: 3.4, fill: dark ? "#14171a" : "#fff", stroke: line, "stroke-width": 1.6 }),
-          ),
-          "path of the centre",
-        )
-      : null,
-    shown.measured && measured.words
-      ? entry(
-          sign(
-            ...measuredLine(dark).map(({ colour, width }) =>
-              s("path", { d: "M2 9l7 -5l8 6l6 -5l6 3", stroke: colour, "stroke-width": width, fill: "none", "stroke-linejoin": "round", "stroke-linecap": "round" }),
-            ),
-          ),
-          `${measured.words}, from the start of the path`,
-        )
-      : null,
-    shown.traction
-      ? entry(
-          sign(
-            s("path", { d: "M2 7h26m-8 -5l8 5l-8 5", stroke: tractionColour(dark), "stroke-width": 2.6, fill: "none" }),
-          ),
-          "traction: pull of an adhesion on the matrix",
-        )
-      : null,
-    shown.polarization
-      ? entry(
-          sign(s("path", { d: "M2 7h26m-9 -5.5l9 5.5l-9 5.5", stroke: line, "stroke-width": 3.2, fill: "none" })),
-          "polarization: direction of the front",
-        )
-      : null,
-  );
+  const entries: (Entry | false)[] = [
+    film.obstacles.length > 0 && [patch(obstacleColour(dark), 0), "rigid obstacle"],
+    ...(shown.cell ? cellSigns(film.cells.length) : []),
+    shown.cell && film.nucleus !== null && [patch(nucleusColour), "nucleus"],
+    ...protrusionSigns(phaseColoursOn(dark), shown.protrusions && !hasColours(edge, shown), shown.adhesions),
+    shown.path && [pathSign(dark), "path of the centre"],
+    shown.measured && measured.words !== "" && [measuredSign(dark), `${measured.words}, from the start of the path`],
+    shown.traction && [arrow("M2 7h26m-8 -5l8 5l-8 5", tractionColour(dark), 2.6), "traction: pull of an adhesion on the matrix"],
+    shown.polarization && [arrow("M2 7h26m-9 -5.5l9 5.5l-9 5.5", ink(dark).line, 3.2), "polarization: direction of the front"],
+  ];
+  const items = entries.filter((entry) => entry !== false).map(([picture, words]) => h("li", {}, picture, words));
+  return h("ul", { class: "signs" }, ...items);
 }

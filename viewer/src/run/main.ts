@@ -1,6 +1,6 @@
 /** The page of a run. Tables and plots first, since they cost nothing; the film is unpacked meanwhile. */
 import type { RunPage } from "../contract";
-import { factList, fault, h, section, table } from "../dom";
+import { fillPage, h, header, section, sources, table } from "../dom";
 import { embeddedRun } from "../embedded";
 import { pretty, readable } from "../numbers";
 import { units } from "../words";
@@ -11,16 +11,10 @@ import { fitted, runView } from "./view";
 
 function named(values: RunPage["readouts"], caption: string): HTMLElement {
   const several = values.some((v) => v.cell !== undefined);
-  return table(
-    [...(several ? ["cell"] : []), "what", "value", "name in files"],
-    values.map((v) => [
-      ...(several ? [String(v.cell ?? "")] : []),
-      units(v.meaning),
-      readable(v.value),
-      h("code", {}, v.name),
-    ]),
-    { numeric: several ? [0, 2] : [1], caption },
-  );
+  const heads = [...(several ? ["cell"] : []), "what", "value", "name in files"];
+  const rows = values.map((v) => [units(v.meaning), readable(v.value), h("code", {}, v.name)]);
+  const whole = several ? rows.map((row, i) => [String(values[i].cell ?? ""), ...row]) : rows;
+  return table(caption, heads, whole, several ? [0, 2] : [1]);
 }
 
 /** A number with its unit as it is printed; texts, which are copied, stay, and are broken where they must be. */
@@ -29,30 +23,23 @@ const quantity = (value: string): string | HTMLElement =>
 
 function parameters(run: RunPage): Node {
   const shown = run.parameters.filter((p) => !p.name.startsWith("laws.") || !run.laws?.length); // laws have their own section
-  if (shown.length === 0)
-    return h("p", {}, run.parameters.length > 0 ? "None but the laws above." : "None: every parameter has the value of Table 1 or, where the paper gives none, of the program.");
-  return table(
-    ["parameter", "value", "default", "meaning"],
-    shown.map((p) => [h("code", {}, p.name), quantity(p.value), quantity(p.default), p.meaning]),
-    { caption: "Changed parameters" },
-  );
+  const none = "None: every parameter has the value of Table 1 or, where the paper gives none, of the program.";
+  if (shown.length === 0) return h("p", {}, run.parameters.length > 0 ? "None but the laws above." : none);
+  const rows = shown.map((p) => [h("code", {}, p.name), quantity(p.value), quantity(p.default), p.meaning]);
+  return table("Changed parameters", ["parameter", "value", "default", "meaning"], rows);
 }
 
-function show(run: RunPage, page: HTMLElement): void {
-  document.title = run.title;
+fillPage((page) => {
+  const run = embeddedRun();
   const { parts, ready, clock } = runView(run, true);
   window.matrigrate = hook(ready, clock);
   window.matrigrate.ready.catch(() => undefined);
+  const changed = run.laws ?? [];
+  const drawn = fitted((width) => laws(changed, width), new AbortController().signal);
   page.replaceChildren(
-    h(
-      "header",
-      {},
-      h("h1", {}, run.title),
-      h("p", { class: "status" }, run.status, " ", h("strong", {}, pretty(run.summary))),
-      factList(run.facts),
-    ),
+    header(run.title, run.status, [pretty(run.summary)], run.facts),
     ...parts,
-    ...(run.laws?.length ? [section("laws", "Laws that differ from the default ones", fitted((width) => laws(run.laws ?? [], width), new AbortController().signal))] : []),
+    ...(changed.length > 0 ? [section("laws", "Laws that differ from the default ones", drawn)] : []),
     h(
       "div",
       { class: "two" },
@@ -64,20 +51,7 @@ function show(run: RunPage, page: HTMLElement): void {
         section("health", "Health of the computation", named(run.health, "Health")),
       ),
     ),
-    section("provenance", "Provenance", h("pre", {}, run.provenance)),
-    section("citation", "To cite", h("p", { class: "citation" }, run.citation)),
+    ...sources(run),
   );
-  void ready.finally(() => {
-    document.documentElement.dataset["ready"] = "true";
-  });
-}
-
-const page = document.getElementById("page");
-if (page) {
-  try {
-    show(embeddedRun(), page);
-  } catch (reason) {
-    page.replaceChildren(fault(reason instanceof Error ? reason.message : String(reason)));
-    document.documentElement.dataset["ready"] = "true";
-  }
-}
+  return ready;
+});

@@ -1,10 +1,9 @@
 /** Beside the stage: what the matrix is coloured by, what is drawn over it, and the legend of both. */
-import { h, onDarkMode, onPrint } from "../dom";
+import { choice, h, isDark, onDarkMode, onPrint, select } from "../dom";
 import type { ArrowKind } from "./over/arrows";
-import { edgeChoice, edges } from "./over/edge";
-import type { Film } from "./frames";
-import { extremesOf, overlays, type Layer } from "./matrix/layers";
-import { colourBar, signs, smallBar } from "./legend";
+import { edgeBar, edges, type Edge } from "./over/edge";
+import { extremes, overlays } from "./matrix/layers";
+import { bareBar, colourBar, signs, smallBar } from "./legend";
 import { scaleControls } from "./scale_controls";
 import type { Stage } from "./stage";
 
@@ -12,54 +11,68 @@ const ordinal = (n: number): string => (n === 2 ? "second" : n === 3 ? "third" :
 
 /** The matrix as a field, or as the particles that it is computed by. */
 function styleChoice(stage: Stage): HTMLElement {
-  const radio = (value: string, name: string, smooth: boolean) => {
-    const input = h("input", { type: "radio", name: "style", value, checked: stage.smooth === smooth });
-    input.addEventListener("change", () => {
+  const radio = (value: string, name: string, smooth: boolean) =>
+    choice({ type: "radio", name: "style", value, checked: stage.smooth === smooth }, name, () => {
       stage.smooth = smooth;
       stage.draw();
-    });
-    return h("label", {}, input, name);
+    }).label;
+  const radios = [radio("smooth", "Smooth field", true), radio("particles", "Particles", false)];
+  return h("div", { class: "choices style", role: "group", "aria-label": "Draw the matrix as" }, ...radios);
+}
+
+/** What colours the edge of the cell and, once something does, its colour bar. */
+function edgeChoice(all: Edge[], chosen: (edge: Edge) => void): HTMLElement {
+  const bar = h("div");
+  const options = all.map(({ key, name }): [string, string] => [key, name]);
+  const choose = (key: string) => {
+    const edge = all.find((one) => one.key === key) ?? all[0];
+    bar.replaceChildren(...(edge.field ? bareBar(edgeBar(edge)) : []));
+    chosen(edge);
   };
-  return h(
-    "div",
-    { class: "choices style", role: "group", "aria-label": "Draw the matrix as" },
-    radio("smooth", "Smooth field", true),
-    radio("particles", "Particles", false),
-  );
+  return h("div", { class: "edge" }, h("label", {}, "Edge of the cell: ", select({ name: "edge" }, options, choose)), bar);
+}
+
+/** Which arrows are drawn, and what they show, where they are. */
+function arrowChoice(stage: Stage): HTMLElement {
+  const note = h("p", { class: "note", "aria-live": "polite" });
+  const kinds = ["displacement", "velocity"].map((kind): [string, string] => [kind, kind]);
+  const arrows = select({ name: "arrow-kind" }, kinds, (kind) => {
+    stage.arrows = kind as ArrowKind;
+    refresh();
+    stage.draw();
+  });
+  const element = h("div", { class: "edge" }, h("label", {}, "Arrows show: ", arrows), note);
+  const refresh = () => {
+    const times = stage.arrowScale();
+    const length = times === 1 ? "at true length" : `drawn ${times} times as long`;
+    const velocity = "Mean velocity of the matrix between two stored frames.";
+    element.hidden = !stage.shown.arrows;
+    note.textContent = stage.arrows === "velocity" ? velocity : `Since the start, ${length}.`;
+  };
+  stage.on("view", refresh);
+  refresh();
+  return element;
 }
 
 /** A form, so that its radios are a group of their own where a page has several players. */
-export function panel(stage: Stage, film: Film, all: Layer[], gone: AbortSignal): HTMLElement {
-  const bar = h("div", {});
-  const controls = h("div", {});
-  const legend = h("div", {});
-  const arrowNote = h("p", { class: "note", "aria-live": "polite" });
-  const arrows = h(
-    "select",
-    { name: "arrow-kind" },
-    h("option", { value: "displacement" }, "displacement"),
-    h("option", { value: "velocity" }, "velocity"),
-  );
-  const arrowChoice = h("div", { class: "edge" }, h("label", {}, "Arrows show: ", arrows), arrowNote);
-  const fibres = h("div", {});
-  const { fibreLayer } = stage;
+export function panel(stage: Stage, gone: AbortSignal): HTMLElement {
+  const { film, fibreLayer } = stage;
+  const [bar, controls, legend, fibres] = [h("div"), h("div"), h("div"), h("div")];
   const small = h("div", { class: "small-bar", "aria-hidden": "true" });
   stage.element.append(small);
   /** Whether values lie beyond the ends of the bar, which changes in a film that grows. */
-  const ends = () => {
-    const { low, high } = stage.scale().clamped();
-    return `${low} ${high}`;
-  };
+  const ends = () => Object.values(stage.scale().clamped()).join();
   let said = "";
   const refreshBar = () => {
     said = ends();
     bar.replaceChildren(colourBar(stage.layer, stage.scale()));
-    small.replaceChildren(...smallBar(stage.layer, stage.scale()));
-    if (!fibreLayer) return;
-    fibres.hidden = !stage.drawsFibres;
+    small.replaceChildren(...smallBar(stage.scale().bar(isDark())));
+    const scale = stage.drawnFibres;
+    fibres.hidden = scale === null;
+    if (!fibreLayer || !scale) return;
     const every = stage.fibreRows();
     const part = every > 1 ? ` Drawn in this view: those of every ${ordinal(every)} row of particles.` : "";
-    fibres.replaceChildren(colourBar(fibreLayer, stage.fibreScale(fibreLayer)), h("p", { class: "note" }, part));
+    fibres.replaceChildren(colourBar(fibreLayer, scale), h("p", { class: "note" }, part));
   };
   const refresh = () => {
     refreshBar();
@@ -67,93 +80,54 @@ export function panel(stage: Stage, film: Film, all: Layer[], gone: AbortSignal)
   };
   const chosen = () => {
     refreshBar();
-    controls.replaceChildren(
-      scaleControls(
-        stage.layer,
-        stage.scale(),
-        () => extremesOf(film, stage.layer, stage.place.frame, stage.place.frame + 1),
-        () => {
-          refreshBar();
-          stage.scaleChanged();
-        },
-      ),
-    );
+    const moment = () => extremes(film, stage.layer, stage.place.frame, stage.place.frame + 1);
+    const changed = () => {
+      refreshBar();
+      stage.scaleChanged();
+    };
+    controls.replaceChildren(scaleControls(stage.layer, stage.scale(), moment, changed));
   };
-  const refreshArrows = () => {
-    const times = stage.arrowScale();
-    arrowChoice.hidden = !stage.shown.arrows;
-    arrowNote.textContent =
-      stage.arrows === "velocity"
-        ? "Mean velocity of the matrix between two stored frames."
-        : `Since the start, ${times === 1 ? "at true length" : `drawn ${times} times as long`}.`;
-  };
-  arrows.addEventListener("change", () => {
-    stage.arrows = arrows.value as ArrowKind;
-    refreshArrows();
-    stage.draw();
+  const radios = stage.layers.map((layer) => {
+    const attributes = { type: "radio", name: "layer", value: layer.key, checked: layer === stage.layer };
+    const { input, label } = choice(attributes, layer.name, () => stage.choose(layer));
+    stage.on("layer", () => (input.checked = layer === stage.layer));
+    return label;
   });
-  const radios = all.map((layer) => {
-    const input = h("input", { type: "radio", name: "layer", value: layer.key, checked: layer === stage.layer });
-    input.addEventListener("change", () => stage.choose(layer));
-    stage.onLayer(() => {
-      input.checked = layer === stage.layer;
-    });
-    return h("label", {}, input, layer.name);
+  const boxes = overlays.map(({ key, name, on }) => {
+    if ((key === "fibres" && !fibreLayer) || (key === "measured" && !stage.measured.words)) return null;
+    const { input, label } = choice({ name: key, checked: on }, name, () => stage.toggle(key));
+    stage.on("view", () => (input.checked = stage.shown[key]));
+    return label;
   });
-  const boxes = overlays.map((overlay) => {
-    if (overlay.key === "fibres" && !fibreLayer) return null;
-    if (overlay.key === "measured" && !stage.measured.words) return null;
-    const input = h("input", { type: "checkbox", name: overlay.key, checked: overlay.on });
-    input.addEventListener("change", () => stage.toggle(overlay.key));
-    stage.onView(() => {
-      input.checked = stage.shown[overlay.key];
-    });
-    return h("label", {}, input, overlay.name);
-  });
-  stage.onLayer(chosen);
-  stage.onScale(chosen);
-  if (film.growing) stage.onPaint(() => ends() !== said && refreshBar());
+  stage.on("layer", chosen);
+  stage.on("scale", chosen);
+  if (film.growing) stage.on("paint", () => ends() !== said && refreshBar());
   onDarkMode(refresh, gone);
+  const arrows = arrowChoice(stage);
   let rows = 0;
   let drawn = Object.values(stage.shown).join();
-  stage.onView(() => {
-    refreshArrows();
+  stage.on("view", () => {
     const shown = Object.values(stage.shown).join();
     if (shown !== drawn) refresh();
     drawn = shown;
-    const now = fibreLayer && stage.drawsFibres ? stage.fibreRows() : 0;
+    const now = stage.drawnFibres ? stage.fibreRows() : 0;
     if (now !== rows) refreshBar();
     rows = now;
   });
   chosen();
   refresh();
-  refreshArrows();
+  const edge = edgeChoice(edges(film), (edge) => {
+    stage.edge = edge;
+    refresh();
+    stage.draw();
+  });
+  const group = (title: string, choices: (HTMLElement | null)[], ...more: HTMLElement[]) =>
+    h("fieldset", {}, h("legend", {}, title), h("div", { class: "choices" }, ...choices), ...more);
   const form = h(
     "form",
     { class: "panel" },
-    h(
-      "fieldset",
-      {},
-      h("legend", {}, "Colour the matrix by"),
-      h("div", { class: "choices" }, ...radios),
-      styleChoice(stage),
-      bar,
-      controls,
-    ),
-    h(
-      "fieldset",
-      {},
-      h("legend", {}, "Draw"),
-      h("div", { class: "choices" }, ...boxes),
-      edgeChoice(edges(film), (edge) => {
-        stage.edge = edge;
-        refresh();
-        stage.draw();
-      }),
-      arrowChoice,
-      fibres,
-      legend,
-    ),
+    group("Colour the matrix by", radios, styleChoice(stage), bar, controls),
+    group("Draw", boxes, edge, arrows, fibres, legend),
   );
   // On paper the signs have the colours of a light page.
   onPrint(form, refresh, gone);

@@ -2,21 +2,35 @@
 import { h, isDark, onDarkMode, onPaper, onPrint, onResize } from "../dom";
 import type { RunPage } from "../contract";
 import { measuredOf, type Measured } from "../measured";
-import { Camera, type Box } from "./camera";
+import { attachGestures, Camera, type Box } from "./camera";
 import { displacementScale, type ArrowKind, type Usual } from "./over/arrows";
 import { paintCell, type CellScene } from "./over/cell_painter";
 import type { Clock } from "./clock";
 import { edgeBar, edges, hasColours, type Edge } from "./over/edge";
 import { visitedBox, outlineAt, placeAt, type Film, type Place } from "./frames";
-import { attachGestures } from "./gestures";
 import { overlays, type Layer, type OverlayKey, type Shown } from "./matrix/layers";
 import type { Pen } from "./over/pen";
-import type { ParticleScene, SharedScales } from "./matrix/shared";
-import { particlePainter } from "./matrix/particles";
-import { isDarkGround, LayerScale } from "./matrix/scale";
-import type { Coloured, View } from "./stage_view";
+import { matrixPainter, type MatrixScene } from "./matrix/painter";
+import { isDarkGround, LayerScale, type Coloured, type SharedScales } from "./matrix/scale";
 import { fibreLayer, fibreRows } from "./over/fibres";
 import { resample, valueOfNearest, valueOn, type Patch } from "./matrix/resample";
+
+/** A picture of the stage as it is. */
+export interface View {
+  camera: Camera;
+  /** Pixels of the canvases in a pixel of the page. */
+  pixels: number;
+  matrix: HTMLCanvasElement;
+  top: HTMLCanvasElement;
+  /** What colours stand for: the layer; where they are drawn, the strain of fibres and the edge of the cell. */
+  bars: Coloured[];
+  title: string;
+  time: number;
+  dark: boolean;
+}
+
+/** What is told of: another layer, another state of the view, limits that another run has changed, a picture that was painted. */
+type Event = "layer" | "view" | "scale" | "paint";
 
 export class Stage {
   readonly element: HTMLElement;
@@ -34,25 +48,24 @@ export class Stage {
   private readonly top = h("canvas", { class: "cell" });
   private readonly home: Box;
   private readonly matrix = h("canvas", { class: "matrix" });
-  private readonly paintMatrix: (scene: ParticleScene) => void;
+  private readonly paintMatrix: (scene: MatrixScene) => void;
   private pixels = 1;
   /** Place of the last picture between the stored frames. */
   place: Place = { frame: 0, next: 0, fraction: 0 };
   private patch: Patch | null = null;
-  private viewListeners: (() => void)[] = [];
-  private paintListeners: (() => void)[] = [];
-  private layerListeners: (() => void)[] = [];
-  private scaleListeners: (() => void)[] = [];
+  private readonly listeners: Record<Event, (() => unknown)[]> = { layer: [], view: [], scale: [], paint: [] };
   private readonly scales = new Map<Layer, LayerScale>();
   private readonly sharedScales = new Map<Layer, LayerScale>();
   /** Strain of the fibres; null without fibres. */
   readonly fibreLayer: Layer | null;
+  /** Of the particles of the matrix [um]. */
+  private readonly spacing: number;
   readonly measured: Measured;
 
   constructor(
     private readonly run: RunPage,
     readonly film: Film,
-    private readonly clock: Clock,
+    readonly clock: Clock,
     /** All layers that the matrix can be coloured by. */
     readonly layers: Layer[],
     private readonly ownUsual: Usual,
@@ -63,22 +76,14 @@ export class Stage {
     this.layer = layers[0];
     this.fibreLayer = fibreLayer(film);
     this.measured = measuredOf(run.measured);
-    this.element = h(
-      "div",
-      {
-        class: "stage",
-        tabindex: 0,
-        role: "group",
-        "aria-label": "The cell in the matrix. Keys are listed below it.",
-      },
-      this.matrix,
-      this.top,
-    );
+    const label = "The cell in the matrix. Keys are listed below it.";
+    this.element = h("div", { class: "stage", tabindex: 0, role: "group", "aria-label": label }, this.matrix, this.top);
     this.edge = edges(film)[0];
-    const r = run.geometry.radius_um + run.geometry.spacing_um;
+    this.spacing = run.geometry.spacing_um;
+    const r = run.geometry.radius_um + this.spacing;
     this.camera = new Camera({ left: -r, right: r, bottom: -r, top: r });
     this.home = visitedBox(film);
-    this.paintMatrix = particlePainter(this.matrix, film, run.geometry.spacing_um);
+    this.paintMatrix = matrixPainter(this.matrix, film, this.spacing);
     attachGestures(this.element, this.camera, (panned) => {
       // After a drag the camera no longer follows the cell.
       if (panned) this.follow = false;
@@ -101,25 +106,18 @@ export class Stage {
     onResize(this.element, resized, gone);
   }
 
-  /** For what shows the state of the view: the follow switch, the length of arrows in the legend. */
-  onView(listener: () => void): void {
-    this.viewListeners.push(listener);
+  on(event: Event, listener: () => unknown): void {
+    this.listeners[event].push(listener);
   }
 
-  /** For what shows the layer. */
-  onLayer(listener: () => void): void {
-    this.layerListeners.push(listener);
+  private tell(event: Event): void {
+    for (const listener of this.listeners[event]) listener();
   }
 
   choose(layer: Layer): void {
     this.layer = layer;
-    for (const listener of this.layerListeners) listener();
+    this.tell("layer");
     this.draw();
-  }
-
-  /** For what shows limits of colours, when others have changed them. */
-  onScale(listener: () => void): void {
-    this.scaleListeners.push(listener);
   }
 
   /** Colours and limits; of the layer that is shown, if none is named. */
@@ -131,8 +129,10 @@ export class Stage {
     return scale;
   }
 
-  /** Limits and colours of the strain of the fibres; the colours differ from those of the layer beneath. */
-  fibreScale(layer: Layer): LayerScale {
+  /** Limits and colours of the strain of the fibres, which differ from those of the layer beneath; null where none is drawn. */
+  get drawnFibres(): LayerScale | null {
+    const { fibreLayer: layer } = this;
+    if (!layer || !this.shown.fibres) return null;
     const scale = this.scale(layer);
     const taken = this.scale().limits.map;
     scale.limits.map = layer.maps.find((map) => map !== taken) ?? layer.maps[0];
@@ -148,7 +148,8 @@ export class Stage {
   /** Takes part in what runs share. */
   share(gone: AbortSignal): void {
     const changed = () => {
-      for (const listener of [...this.scaleListeners, ...this.viewListeners]) listener();
+      this.tell("scale");
+      this.tell("view");
       this.draw();
     };
     const coloured = this.fibreLayer ? [...this.layers, this.fibreLayer] : this.layers;
@@ -161,26 +162,17 @@ export class Stage {
 
   /** Fibres are drawn at every row of particles of this view (1), every second (2), and so on. */
   fibreRows(): number {
-    return this.film.fibres ? fibreRows(this.film.fibres, this.run.geometry.spacing_um, this.camera) : 1;
+    return this.film.fibres ? fibreRows(this.film.fibres, this.spacing, this.camera) : 1;
   }
 
-  get hasObstacles(): boolean {
-    return this.film.obstacles.length > 0;
-  }
-
-  get drawsFibres(): boolean {
-    return this.fibreLayer !== null && this.shown.fibres;
-  }
-
-  /** For what goes with each picture. */
-  onPaint(listener: () => void): void {
-    this.paintListeners.push(listener);
+  get title(): string {
+    return this.run.title;
   }
 
   /** The value of the layer at a point [um]: null without matrix, NaN in fluid that has no value. */
   valueAt(x: number, y: number): number | null {
     if (this.patch) return valueOn(this.patch, x, y);
-    return valueOfNearest(this.film, this.layer, this.place, x, y, this.run.geometry.spacing_um);
+    return valueOfNearest(this.film, this.layer, this.place, x, y, this.spacing);
   }
 
   pan(dx: number, dy: number): void {
@@ -192,20 +184,19 @@ export class Stage {
   viewChanged(): void {
     const { x, y, scale } = this.camera;
     this.element.dataset["view"] = [x, y, scale].map((v) => v.toFixed(3)).join(" ");
-    for (const listener of this.viewListeners) listener();
+    this.tell("view");
     this.draw();
   }
 
-  reset(): void {
+  /** @param box  first view, if left out */
+  reset(box = this.home): void {
     this.follow = false;
-    this.camera.show(this.home);
+    this.camera.show(box);
     this.viewChanged();
   }
 
   showWhole(): void {
-    this.follow = false;
-    this.camera.showWhole();
-    this.viewChanged();
+    this.reset(this.camera.whole);
   }
 
   zoom(factor: number): void {
@@ -273,11 +264,11 @@ export class Stage {
   }
 
   private cellScene(place: Place, dark: boolean): CellScene {
-    const { film, camera, shown, edge, arrows, usual } = this;
-    const { tracks, geometry } = this.run;
-    const time = this.clock.time;
-    const [spacing, darkGround] = [geometry.spacing_um, isDarkGround(this.layer, this.scale().on(dark))];
-    const fibres = this.drawsFibres && this.fibreLayer ? this.fibreScale(this.fibreLayer).on(dark) : null;
+    const { film, camera, shown, edge, arrows, usual, spacing } = this;
+    const { tracks } = this.run;
+    const { time } = this.clock;
+    const darkGround = isDarkGround(this.layer, this.scale().on(dark));
+    const fibres = this.drawnFibres?.on(dark) ?? null;
     return { film, place, time, camera, tracks, measured: this.measured.tracks, shown, edge, spacing, arrows, usual, fibres, dark, darkGround };
   }
 
@@ -287,10 +278,9 @@ export class Stage {
     const { camera, pixels, top } = this;
     const dark = isDark();
     const bars: Coloured[] = [this.scale().bar(dark)];
-    if (this.drawsFibres && this.fibreLayer) bars.push(this.fibreScale(this.fibreLayer).bar(dark));
+    if (this.drawnFibres) bars.push(this.drawnFibres.bar(dark));
     if (hasColours(this.edge, this.shown)) bars.push(edgeBar(this.edge));
-    const [title, time] = [this.run.title, this.clock.time];
-    return { camera, pixels, matrix: this.matrix, top, bars, title, time, dark };
+    return { camera, pixels, matrix: this.matrix, top, bars, title: this.title, time: this.clock.time, dark };
   }
 
   /** The view at another resolution, for one picture. @param pixels  of the canvases in a pixel of the page */
@@ -324,13 +314,13 @@ export class Stage {
     const dark = isDark();
     const { layer } = this;
     const scale = this.scale().on(dark);
-    this.patch = this.smooth ? resample(film, layer, place, camera, this.run.geometry.spacing_um, this.patch?.sums) : null;
+    this.patch = this.smooth ? resample(film, layer, place, camera, this.spacing, this.patch?.sums) : null;
     this.paintMatrix({ place, layer, scale, camera, dark, patch: this.patch, pixels: this.pixels });
     const c = this.top.getContext("2d");
     if (!c) return;
     c.setTransform(this.pixels, 0, 0, this.pixels, 0, 0);
     c.clearRect(0, 0, camera.width, camera.height);
     paintCell(c, this.cellScene(place, dark));
-    for (const listener of this.paintListeners) listener();
+    this.tell("paint");
   }
 }

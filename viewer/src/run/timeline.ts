@@ -1,10 +1,10 @@
 /** The life of each protrusion, one row each: its phases over time, how mature it got, and how it ended. */
 import { phaseNames, type ProtrusionRow, type TimedChange } from "../contract";
-import { h, s, table } from "../dom";
+import { h, phaseDot, phaseFill, s, table } from "../dom";
 import { readable, timeText } from "../numbers";
 import { coloursOf } from "./cells";
 import type { Clock } from "./clock";
-import { changeMarks, frame, hours, onPick } from "./plots";
+import { changeMarks, figure, frame, hours, onPick } from "./plots";
 
 interface Bar {
   phase: number;
@@ -14,21 +14,14 @@ interface Bar {
 
 /** Phases from the times of a row; what has not ended goes on to the end of the run. */
 export function bars(row: ProtrusionRow, end: number): Bar[] {
-  const grown = row.t_adhesion_s ?? row.t_disassembly_s;
-  const out: Bar[] = [{ phase: 0, from: row.t_initiation_s, to: grown ?? row.t_end_s ?? end }];
-  if (row.t_adhesion_s !== null)
-    out.push({ phase: 1, from: row.t_adhesion_s, to: row.t_mature_s ?? row.t_disassembly_s ?? row.t_end_s ?? end });
-  if (row.t_mature_s !== null)
-    out.push({ phase: 2, from: row.t_mature_s, to: row.t_disassembly_s ?? row.t_end_s ?? end });
-  if (row.t_disassembly_s !== null) out.push({ phase: 3, from: row.t_disassembly_s, to: row.t_end_s ?? end });
-  return out;
+  const starts = [row.t_initiation_s, row.t_adhesion_s, row.t_mature_s, row.t_disassembly_s, row.t_end_s ?? end];
+  return starts.slice(0, 4).flatMap((from, phase) => {
+    const to = starts.slice(phase + 1).find((t) => t !== null)!;
+    return from === null ? [] : [{ phase, from, to }];
+  });
 }
 
-const causes: Record<string, string> = {
-  disassembly: "disassembled",
-  rupture: "ruptured",
-  unadhered: "never adhered",
-};
+const causes: Record<string, string> = { disassembly: "disassembled", rupture: "ruptured", unadhered: "never adhered" };
 const causeText = (row: ProtrusionRow): string =>
   row.cause ? (causes[row.cause] ?? row.cause) : row.t_mature_s !== null ? "still adheres" : "still alive";
 
@@ -66,14 +59,9 @@ export function timeline(
   if (rows.length === 0) return h("p", {}, "No protrusion was initiated.");
   const [pitch, top, bottom] = [22, 22, 40];
   const height = top + bottom + pitch * rows.length;
-  const n = rows.length;
-  const made = frame(
-    width,
-    height,
-    hours(clock),
-    { low: 0, high: n, label: "", ticks: [] },
-    "Phases of each protrusion over time; the table below has the numbers",
-  );
+  const rowsAxis = { low: 0, high: rows.length, label: "", ticks: [] };
+  const label = "Phases of each protrusion over time; the table below has the numbers";
+  const made = frame(width, height, hours(clock), rowsAxis, label);
   const wide = width > 700;
   const cells = Math.max(1, ...rows.map((row) => row.cell ?? 1));
   const right = made.x(clock.end / 3600);
@@ -96,25 +84,13 @@ export function timeline(
     );
     if (row.cell !== undefined)
       group.append(s("rect", { x: made.x(0) - 5, y: y + 1, width: 4, height: pitch - 2, fill: coloursOf(row.cell, cells).rear }));
-    for (const bar of all)
-      group.append(
-        s("rect", {
-          class: `phase${bar.phase}`,
-          x: made.x(bar.from / 3600),
-          y: y + 4,
-          height: pitch - 8,
-          width: Math.max(1, made.x(bar.to / 3600) - made.x(bar.from / 3600)),
-        }),
-      );
+    for (const { phase, from, to } of all) {
+      const width = Math.max(1, made.x(to / 3600) - made.x(from / 3600));
+      group.append(s("rect", { style: `fill:${phaseFill(phase)}`, x: made.x(from / 3600), y: y + 4, height: pitch - 8, width }));
+    }
     // Without room on either side, the tooltip and the table still have the remark.
-    if (after || before)
-      remarks.append(
-        s(
-          "text",
-          { class: "remark", x: after ? last + 6 : first - 6, y: y + 15.5, "text-anchor": after ? "start" : "end" },
-          text,
-        ),
-      );
+    const place = { x: after ? last + 6 : first - 6, y: y + 15.5, "text-anchor": after ? "start" : "end" };
+    if (after || before) remarks.append(s("text", { class: "remark", ...place }, text));
     made.svg.append(group);
   });
   // Above the numbers: turned by a quarter it would be cut off where there are few rows.
@@ -129,61 +105,29 @@ export function timeline(
   clock.onChange(update, gone);
   update();
   onPick(made, (x) => clock.jump(3600 * made.toX(x)));
-  const legend = h(
-    "ul",
-    { class: "signs" },
-    ...phaseNames.map((name, k) => h("li", {}, h("span", { class: `dot phase${k}` }), name)),
-  );
-  return h(
-    "div",
-    {},
-    legend,
-    h(
-      "figure",
-      { class: "timeline" },
-      made.svg,
-      h(
-        "figcaption",
-        {},
-        "Behind each row: maturation (f_mat) and force at disassembly. A click moves the player to that time.",
-      ),
-    ),
-  );
+  const legend = h("ul", { class: "signs" }, ...phaseNames.map((name, k) => h("li", {}, phaseDot(k), name)));
+  const caption = "Behind each row: maturation (f_mat) and force at disassembly. A click moves the player to that time.";
+  const drawing = figure(made.svg, caption);
+  drawing.className = "timeline";
+  return h("div", {}, legend, drawing);
 }
 
 export function protrusionTable(rows: ProtrusionRow[]): HTMLElement {
   const minutes = (seconds: number | null) => (seconds === null ? "\u2013" : (seconds / 60).toFixed(1));
-  const several = rows.some((row) => row.cell !== undefined);
-  const heads = [
-    ...(several ? ["cell"] : []),
-    "id",
-    "initiated (min)",
-    "adhered (min)",
-    "matured (min)",
-    "disassembled (min)",
-    "ended (min)",
-    "length (\u00b5m)",
-    "maturation",
-    "force at disassembly (nN)",
-    "share of its largest force",
-    "how it ended",
+  const columns: [head: string, cell: (row: ProtrusionRow) => string][] = [
+    ["id", (row) => String(row.id)],
+    ["initiated (min)", (row) => minutes(row.t_initiation_s)],
+    ["adhered (min)", (row) => minutes(row.t_adhesion_s)],
+    ["matured (min)", (row) => minutes(row.t_mature_s)],
+    ["disassembled (min)", (row) => minutes(row.t_disassembly_s)],
+    ["ended (min)", (row) => minutes(row.t_end_s)],
+    ["length (\u00b5m)", (row) => readable(row.length_um, 3)],
+    ["maturation", (row) => readable(row.f_mat, 2)],
+    ["force at disassembly (nN)", (row) => readable(row.force_nN, 3)],
+    ["share of its largest force", (row) => readable(row.f_adh_rel, 3)],
+    ["how it ended", causeText],
   ];
-  return table(
-    heads,
-    rows.map((row) => [
-      ...(several ? [String(row.cell)] : []),
-      String(row.id),
-      minutes(row.t_initiation_s),
-      minutes(row.t_adhesion_s),
-      minutes(row.t_mature_s),
-      minutes(row.t_disassembly_s),
-      minutes(row.t_end_s),
-      readable(row.length_um, 3),
-      readable(row.f_mat, 2),
-      readable(row.force_nN, 3),
-      readable(row.f_adh_rel, 3),
-      causeText(row),
-    ]),
-    { numeric: heads.map((_, k) => k).slice(0, -1), caption: "Protrusions" },
-  );
+  if (rows.some((row) => row.cell !== undefined)) columns.unshift(["cell", (row) => String(row.cell)]);
+  const cells = rows.map((row) => columns.map(([, cell]) => cell(row)));
+  return table("Protrusions", columns.map(([head]) => head), cells, columns.slice(1).map((_, k) => k));
 }

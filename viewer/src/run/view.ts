@@ -1,13 +1,13 @@
 /** The view of a run: player, path and protrusions, all at the same time. */
 import type { RunPage } from "../contract";
-import { h, onPrint, onResize, section } from "../dom";
+import { h, messageOf, onPrint, onResize, section } from "../dom";
 import { Clock } from "./clock";
 import { film } from "./frames";
 import { player } from "./player";
 import { plots } from "./plots";
 import "./stage.css";
 import "./plots.css"; // for narrow screens and paper: last
-import type { SharedScales } from "./matrix/shared";
+import type { SharedScales } from "./matrix/scale";
 import type { Stage } from "./stage";
 import { protrusionTable, timeline } from "./timeline";
 
@@ -30,16 +30,6 @@ export function fitted(make: (width: number, gone: AbortSignal) => HTMLElement, 
   return holder;
 }
 
-export interface RunView {
-  /** Player, path, protrusions. */
-  parts: HTMLElement[];
-  /** Fulfilled when the film can be played, with its stage, or cannot be: with none. */
-  ready: Promise<Stage | null>;
-  clock: Clock;
-  /** To be called before it is taken away. */
-  stop: () => void;
-}
-
 const stops = (run: RunPage): number[] => run.frames?.times_s ?? run.tracks.t_s;
 
 /** One clock for several runs: it ends with the last of them, and steps by the frames of all. */
@@ -48,7 +38,7 @@ export function commonClock(runs: RunPage[]): Clock {
   return new Clock(Math.max(...runs.map((run) => run.t_end_s)), all);
 }
 
-export interface Company {
+interface Company {
   /** The time that all runs in view share. */
   clock: Clock;
   /** Which of them this is, from 0: the first one has the controls of the clock. */
@@ -56,71 +46,53 @@ export interface Company {
   shared: SharedScales;
 }
 
+export type RunView = ReturnType<typeof runView>;
+
 /**
  * @param alone    the page shows this run and nothing else: it starts by itself, and keys act from anywhere
  * @param company  it is looked at beside others
+ * @return player, path and protrusions; when the film can be played, its stage, or null where it cannot be; what is to be called before
+ *         it is taken away
  */
-export function runView(run: RunPage, alone: boolean, company?: Company): RunView {
+export function runView(run: RunPage, alone: boolean, company?: Company) {
   const clock = company?.clock ?? commonClock([run]);
   const leads = !company || company.place === 0;
   /** Names of elements must differ on a page. */
   const id = (name: string) => (leads ? name : `${name}-${company.place + 1}`);
   const gone = new AbortController();
-  const stage = h(
-    "div",
-    { id: id("film") },
-    h("p", { class: "wait", role: "status" }, run.frames ? "Unpacking the frames \u2026" : ""),
-  );
+  const wait = h("p", { class: "wait", role: "status" }, run.frames ? "Unpacking the frames \u2026" : "");
+  const place = h("div", { id: id("film") }, wait);
+  const lives = (width: number, replaced: AbortSignal) => timeline(run.protrusions, clock, width, replaced, run.changes);
   const parts = [
-    stage,
-    section(
-      id("path"),
-      "Path, speed and area",
-      fitted((width, replaced) => plots(run, clock, width, replaced), gone.signal),
-    ),
+    place,
+    section(id("path"), "Path, speed and area", fitted((width, replaced) => plots(run, clock, width, replaced), gone.signal)),
     section(
       id("protrusions"),
       "Protrusions",
-      fitted((width, replaced) => timeline(run.protrusions, clock, width, replaced, run.changes), gone.signal),
+      fitted(lives, gone.signal),
       h("details", {}, h("summary", {}, "All numbers of the protrusions"), protrusionTable(run.protrusions)),
     ),
   ];
-  let shown: Stage | null = null;
-  const opened = (made: Stage) => {
-    shown = made;
+  const unpacked = async (): Promise<Stage | null> => {
+    const made = await film(run);
+    if (gone.signal.aborted) return null;
+    if (made) {
+      const { stage, element } = player(run, made, clock, { alone, leads, id: id("player"), shared: company?.shared }, gone.signal);
+      place.replaceChildren(element);
+      return stage;
+    }
+    const words = "This run stored no frames, so there is nothing to play. Path, protrusions and tables are below.";
+    place.replaceChildren(h("p", { class: "notice" }, words));
+    return null;
   };
-  const role = { alone, leads, id: id("player"), shared: company?.shared, opened };
-  const ready = film(run)
-    .then((made) => {
-      if (gone.signal.aborted) return null;
-      stage.replaceChildren(
-        made
-          ? player(run, made, clock, role, gone.signal)
-          : h(
-              "p",
-              { class: "notice" },
-              "This run stored no frames, so there is nothing to play. Path, protrusions and tables are below.",
-            ),
-      );
-      return shown;
-    })
-    .catch((reason: unknown) => {
-      stage.replaceChildren(
-        h(
-          "p",
-          { class: "notice", role: "alert" },
-          `The frames cannot be shown: ${reason instanceof Error ? reason.message : String(reason)}.`,
-        ),
-      );
-      return null;
-    });
-  return {
-    parts,
-    ready,
-    clock,
-    stop: () => {
-      gone.abort();
-      if (clock.playing) clock.toggle();
-    },
+  const ready = unpacked().catch((reason: unknown) => {
+    const words = `The frames cannot be shown: ${messageOf(reason)}.`;
+    place.replaceChildren(h("p", { class: "notice", role: "alert" }, words));
+    return null;
+  });
+  const stop = () => {
+    gone.abort();
+    if (clock.playing) clock.toggle();
   };
+  return { parts, ready, clock, stop };
 }

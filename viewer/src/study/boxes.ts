@@ -3,19 +3,14 @@ import type { StudyData, StudyGroup, StudyReadout } from "./contract";
 import { h } from "../dom";
 import { pretty, readable } from "../numbers";
 import { brackets, leastRuns, sign, starsNote, story, type Bracket, type Shown } from "./brackets";
-import { axis, figure, ink, wholeTicks, type Json } from "../figure";
+import { axis, dots, figure, ink, wholeTicks, type Json } from "../figure";
 import { capital, lettered, titleOf, typeset, unmarked } from "../words";
-import { groupAt, nameOf, seriesColour, values, type Grid, type Group } from "./groups";
-import { bands, targetsOf } from "./targets";
+import { groupAt, nameOf, same, seriesColour, values, type Grid, type Group } from "./groups";
+import { bandNote, bands, targetsOf } from "./targets";
 
 /** The summary of a read-out at the point of a group, as the program computed it. */
 const statisticsOf = (study: StudyData, group: Group, readout: string): StudyGroup | undefined =>
-  study.groups.find((one) => one.readout === readout && one.point.join() === group.point.join());
-
-function caption(study: StudyData, readout: StudyReadout): string {
-  const band = targetsOf(study, readout.name).length > 0 ? " Band: measured, with one standard error." : "";
-  return `${capital(readout.meaning)}.${band}${starsNote(study.tests, readout.name)}`;
-}
+  study.groups.find((one) => one.readout === readout && same(one.point, group.point));
 
 /** Runs that a box is drawn of; of fewer the runs alone. */
 export const leastForBox = 5;
@@ -45,14 +40,17 @@ export function boxesOfAll(study: StudyData, made: Grid, show: Shown): HTMLEleme
   ];
 }
 
-export function boxes(study: StudyData, made: Grid, readout: StudyReadout, show: Shown, levels = levelsOf(brackets(study.tests, made, readout.name, show))): HTMLElement {
+/** @param least  levels of comparisons that there is room for */
+export function boxes(study: StudyData, made: Grid, readout: StudyReadout, show: Shown, least = 0): HTMLElement {
   const bars = brackets(study.tests, made, readout.name, show);
+  const levels = Math.max(least, levelsOf(bars));
   const plotHeight = 270 + 17 * levels;
-  const crowded = made.columns.length > mostWideColumns;
-  return figure(caption(study, readout), (width) => plotHeight + labelRoom(made.columns, width), () => {
+  const bare = made.series.length > 1 || made.columns.length > mostWideColumns;
+  const targets = targetsOf(study, readout.name);
+  const caption = `${capital(readout.meaning)}.${bandNote(targets)}${starsNote(study.tests, readout.name)}`;
+  return figure(caption, (width) => plotHeight + labelRoom(made.columns, width), () => {
     const colours = ink();
     const every = made.groups.flatMap((g) => values(g, readout.name).map((v) => v.value));
-    const targets = targetsOf(study, readout.name);
     const ends = targets.flatMap((t) => [t.low - t.error, t.high + t.error]);
     const [low, high] = [Math.min(...every, ...ends), Math.max(...every, ...ends)];
     const band = bands(targets);
@@ -69,17 +67,10 @@ export function boxes(study: StudyData, made: Grid, readout: StudyReadout, show:
         const found = values(g, readout.name);
         const box = statisticsOf(study, g, readout.name);
         const text = found.map((v) => `${typeset(g.label)}<br>${nameOf(v.run)}: ${readable(v.value)}`);
+        const y = found.map((v) => v.value);
         if (found.length < leastForBox) {
-          data.push({
-            type: "scatter",
-            mode: "markers",
-            name: typeset(name),
-            x: found.map((_, i) => g.x + made.width * 0.3 * (found.length > 1 ? i / (found.length - 1) - 0.5 : 0)),
-            y: found.map((v) => v.value),
-            marker: { color: colour, size: 7, opacity: 0.75 },
-            text,
-            hoverinfo: "text",
-          });
+          const x = found.map((_, i) => g.x + made.width * 0.3 * (found.length > 1 ? i / (found.length - 1) - 0.5 : 0));
+          data.push({ ...dots(x, y, text, { color: colour, size: 7, opacity: 0.75 }), name: typeset(name) });
           continue;
         }
         data.push({
@@ -92,7 +83,7 @@ export function boxes(study: StudyData, made: Grid, readout: StudyReadout, show:
           q3: [box?.high_quartile],
           lowerfence: [box?.low_whisker],
           upperfence: [box?.high_whisker],
-          y: [found.map((v) => v.value)],
+          y: [y],
           width: 0.82 * made.width,
           boxpoints: "all",
           pointpos: 0,
@@ -106,17 +97,10 @@ export function boxes(study: StudyData, made: Grid, readout: StudyReadout, show:
         });
       }
       const means = groups.map((g) => statisticsOf(study, g, readout.name)?.mean ?? null);
-      data.push({
-        type: "scatter",
-        mode: "markers",
-        x: groups.map((g) => g.x),
-        y: means,
-        marker: { symbol: "diamond", size: 10, color: colours.ground, line: { color: colours.text, width: 2 } },
-        text: groups.map(
-          (g, i) => `${typeset(g.label)}<br>mean ${readable(means[i])} ${pretty(readout.unit)}, n = ${values(g, readout.name).length}`,
-        ),
-        hoverinfo: "text",
-      });
+      const about = (g: Group, i: number) => `mean ${readable(means[i])} ${pretty(readout.unit)}, n = ${values(g, readout.name).length}`;
+      const words = groups.map((g, i) => `${typeset(g.label)}<br>${about(g, i)}`);
+      const marker = { symbol: "diamond", size: 10, color: colours.ground, line: { color: colours.text, width: 2 } };
+      data.push(dots(groups.map((g) => g.x), means, words, marker));
     });
     const at = (b: Bracket) => high + 0.05 * span + (17 * b.level + 5) * pixel;
     // A comparison within a series has its colour; one between series is grey.
@@ -163,10 +147,7 @@ export function boxes(study: StudyData, made: Grid, readout: StudyReadout, show:
             yanchor: "bottom",
             showarrow: false,
             font: { size: 12, color: colours.soft },
-            text:
-              made.series.length > 1 || crowded
-                ? String(values(g, readout.name).length)
-                : `n\u00a0=\u00a0${values(g, readout.name).length}`,
+            text: `${bare ? "" : "n\u00a0=\u00a0"}${values(g, readout.name).length}`,
           })),
         ),
       },

@@ -27,7 +27,7 @@ export interface Grid {
   width: number;
 }
 
-const key = (point: GridPoint): string => point.join(",");
+export const same = (a: GridPoint, b: GridPoint): boolean => a.join() === b.join();
 
 /** Small pictures of groups: a row a series, as wide as there are columns, where the page is wide enough; several series in a row of few columns. */
 const most = (made: Grid): number =>
@@ -40,8 +40,9 @@ export function multipleSide(made: Grid, window: number): number {
   const beside = window <= 640 ? 2 : window <= 1024 ? Math.min(3, most(made)) : most(made);
   return Math.round(Math.min(largest, (Math.min(1280, window) - 48 - 19 * (beside - 1)) / beside));
 }
-export const inRows = (groups: Group[]): Group[] =>
-  [...groups].sort((a, b) => a.series - b.series || a.column - b.column);
+/** Those groups of which some run has what is drawn, in rows. */
+export const inRows = (made: Grid, has: (run: StudyRun) => unknown): Group[] =>
+  made.groups.filter((g) => g.runs.some(has)).sort((a, b) => a.series - b.series || a.column - b.column);
 
 /** Whether the values of an axis name themselves: points of a study, and conditions. */
 const isNamed = (axis: StudyAxis): boolean => !axis.name.includes(".");
@@ -52,14 +53,12 @@ export function grid(study: StudyData, main: number): Grid {
   const others = study.axes.map((_, i) => i).filter((i) => i !== main);
   let points: GridPoint[] = [[]];
   for (const a of study.axes) points = points.flatMap((p) => a.values.map((_, i) => [...p, i]));
-  const seriesOf = (p: GridPoint) =>
-    others
-      .map((i) => (isNamed(study.axes[i]) ? verbatim(String(study.axes[i].values[p[i]])) : settingOf(study.axes[i], study.axes[i].values[p[i]])))
-      .join(", ");
+  const named = (one: StudyAxis, value: number | string) => (isNamed(one) ? verbatim(String(value)) : settingOf(one, value));
+  const seriesOf = (p: GridPoint) => others.map((i) => named(study.axes[i], study.axes[i].values[p[i]])).join(", ");
   const series = [...new Set(points.map(seriesOf))];
   const width = 0.8 / series.length;
   const columns = axis ? axis.values.map((value) => (isNamed(axis) || typeof value === "string" ? verbatim(String(value)) : String(value))) : [""];
-  const columnLabels = axis ? (isNamed(axis) ? columns : axis.values.map((value) => settingOf(axis, value))) : ["all runs"];
+  const columnLabels = axis ? axis.values.map((value) => named(axis, value)) : ["all runs"];
   const groups = points.map((point): Group => {
     const column = axis ? point[main] : 0;
     const k = series.indexOf(seriesOf(point));
@@ -69,14 +68,13 @@ export function grid(study: StudyData, main: number): Grid {
       series: k,
       x: column + (k - 0.5 * (series.length - 1)) * width,
       label: [columnLabels[column], series[k]].filter(Boolean).join(", "),
-      runs: study.runs.filter((run) => key(run.point) === key(point)),
+      runs: study.runs.filter((run) => same(run.point, point)),
     };
   });
   return { axisTitle: axis ? titleOf(isNamed(axis) ? { ...axis, meaning: undefined } : axis) : "", columns, columnLabels, series, groups, width };
 }
 
-export const groupAt = (made: Grid, point: GridPoint): Group | undefined =>
-  made.groups.find((g) => key(g.point) === key(point));
+export const groupAt = (made: Grid, point: GridPoint): Group | undefined => made.groups.find((g) => same(g.point, point));
 
 export function seriesColour(index: number): string {
   const colours = isDark() ? paletteOnDark : palette;
@@ -86,13 +84,8 @@ export function seriesColour(index: number): string {
 /** Which colour each series has. */
 export function seriesKey(made: Grid): HTMLElement | null {
   if (made.series.length < 2) return null;
-  return h(
-    "ul",
-    { class: "series" },
-    ...made.series.map((name, k) =>
-      h("li", {}, h("span", { class: "patch", style: `background:${seriesColour(k)}` }), ...lettered(name)),
-    ),
-  );
+  const patch = (k: number) => h("span", { class: "patch", style: `background:${seriesColour(k)}` });
+  return h("ul", { class: "series" }, ...made.series.map((name, k) => h("li", {}, patch(k), ...lettered(name))));
 }
 
 /** Colours for values along x, where each is a line of its own: dark to light in order. */

@@ -3,7 +3,7 @@ import type { StudyPage, StudyRun, Verdict } from "./contract";
 import { h, table } from "../dom";
 import { pretty, readable } from "../numbers";
 import { lettered } from "../words";
-import type { Grid, Group } from "./groups";
+import { same, type Grid, type Group } from "./groups";
 
 /** A code name with its unit: tables alone have them. */
 const withUnit = (label: string, unit: string): string => (unit ? `${label} (${pretty(unit)})` : label);
@@ -11,30 +11,23 @@ const withUnit = (label: string, unit: string): string => (unit ? `${label} (${p
 export const verdict = (word: Verdict): HTMLElement => h("span", { class: `verdict ${word.replaceAll(" ", "-")}` }, word);
 
 /** The first sentence, and the others on demand. */
-const lines = ([first, ...others]: string[]): HTMLElement | string =>
-  others.length === 0
-    ? (first ?? "")
-    : h(
-        "details",
-        {},
-        h("summary", {}, first, " ", h("span", { class: "more" }, `and ${others.length} more`)),
-        h("ul", {}, ...others.map((text) => h("li", {}, text))),
-      );
+function lines([first, ...others]: string[]): HTMLElement | string {
+  if (others.length === 0) return first ?? "";
+  const summary = h("summary", {}, first, " ", h("span", { class: "more" }, `and ${others.length} more`));
+  return h("details", {}, summary, h("ul", {}, ...others.map((text) => h("li", {}, text))));
+}
 
 export function claims(study: StudyPage): HTMLElement | null {
   if (!study.claims || study.claims.length === 0) return null;
-  return table(
-    ["id", "claim", "verdict", "published", "ours: mean [95 %]", "statistic"],
-    study.claims.map((c) => [
-      c.id,
-      c.sentence,
-      h("div", {}, verdict(c.verdict), c.caveat ? h("div", { class: "caveat" }, c.caveat) : null),
-      pretty(c.published) || "\u2013",
-      lines(c.ours.map(pretty)),
-      lines(c.statistic.map(pretty)),
-    ]),
-    { caption: "Claims and verdicts" },
-  );
+  const rows = study.claims.map((c) => [
+    c.id,
+    c.sentence,
+    h("div", {}, verdict(c.verdict), c.caveat && h("div", { class: "caveat" }, c.caveat)),
+    pretty(c.published) || "\u2013",
+    lines(c.ours.map(pretty)),
+    lines(c.statistic.map(pretty)),
+  ]);
+  return table("Claims and verdicts", ["id", "claim", "verdict", "published", "ours: mean [95 %]", "statistic"], rows);
 }
 
 // A relative address only: a page must not lead elsewhere because its data says so.
@@ -48,15 +41,13 @@ const nameOf = (run: StudyRun): string => (run.replicate ? `replicate ${run.repl
 export function medians(study: StudyPage, made: Grid): HTMLElement | null {
   if (!study.groups.some((g) => g.median_interval)) return null;
   const cell = (point: Group["point"], readout: string): string => {
-    const g = study.groups.find((one) => one.readout === readout && one.point.join() === point.join());
+    const g = study.groups.find((one) => one.readout === readout && same(one.point, point));
     const [low, high] = g?.median_interval ?? [null, null];
     return g && g.n > 0 ? `${readable(g.median)} [${readable(low)}, ${readable(high)}], n = ${g.n}` : "\u2013";
   };
-  return table(
-    ["", ...study.readouts.map((r) => withUnit(r.meaning, r.unit))],
-    made.groups.map((g) => [h("span", {}, ...lettered(g.label)), ...study.readouts.map((r) => cell(g.point, r.name))]),
-    { caption: "Medians [95 %]" },
-  );
+  const heads = ["", ...study.readouts.map((r) => withUnit(r.meaning, r.unit))];
+  const row = (g: Group) => [h("span", {}, ...lettered(g.label)), ...study.readouts.map((r) => cell(g.point, r.name))];
+  return table("Medians [95 %]", heads, made.groups.map(row));
 }
 
 const order: StudyRun["status"][] = ["failed", "running", "pending", "done"];
@@ -64,28 +55,18 @@ const order: StudyRun["status"][] = ["failed", "running", "pending", "done"];
 /** Failures first: they are what someone looks for here. */
 export function runs(study: StudyPage): HTMLElement {
   const shown = study.readouts.slice(0, 3);
-  const heads = [
-    "run",
-    ...study.axes.map((a) => withUnit(a.label, a.unit)),
-    "seed",
-    "status",
-    ...shown.map((r) => withUnit(r.label, r.unit)),
-  ];
+  const [axes, readouts] = [study.axes, shown].map((all) => all.map((one) => withUnit(one.label, one.unit)));
+  const heads = ["run", ...axes, "seed", "status", ...readouts];
+  const named = (run: StudyRun, href: string | null) => h(href ? "a" : "span", { href: href ?? false, title: run.id }, nameOf(run));
+  const strong = (run: StudyRun) => h("strong", { class: run.status === "failed" && "failed" }, run.status);
   const sorted = [...study.runs].sort((a, b) => order.indexOf(a.status) - order.indexOf(b.status));
   const rows = sorted.map((run) => [
-    safe(run.report) ? h("a", { href: safe(run.report) ?? "", title: run.id }, nameOf(run)) : h("span", { title: run.id }, nameOf(run)),
+    named(run, safe(run.report)),
     ...study.axes.map((a, i) => String(a.values[run.point[i]])),
     String(run.seed),
-    run.reason
-      ? h(
-          "span",
-          { class: "reason" },
-          h("strong", { class: run.status === "failed" ? "failed" : undefined }, run.status),
-          `: ${run.reason}`,
-        )
-      : run.status,
+    run.reason ? h("span", { class: "reason" }, strong(run), `: ${run.reason}`) : run.status,
     ...shown.map((r) => readable(run.readouts[r.name])),
   ]);
   const k = study.axes.length;
-  return table(heads, rows, { caption: "Runs", numeric: [k + 1, ...shown.map((_, i) => k + 3 + i)] });
+  return table("Runs", heads, rows, [k + 1, ...shown.map((_, i) => k + 3 + i)]);
 }

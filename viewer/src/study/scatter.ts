@@ -1,10 +1,10 @@
 /** Each read-out over each parameter, of a design that is no grid. */
-import { axis, figure, logAxis, wholeTicks, type Json } from "../figure";
+import { axis, dots, figure, logAxis, wholeTicks, type Json } from "../figure";
 import { h } from "../dom";
 import { pretty, pText, readable } from "../numbers";
 import type { StudyPage } from "./contract";
 import { seriesColour } from "./groups";
-import { bands, targetsOf } from "./targets";
+import { bandNote, bands, targetsOf } from "./targets";
 import { capital, settingOf, titleOf, typeset, verbatim, wordsOf } from "../words";
 
 /** How far the ranks of values are from even steps between the ends. */
@@ -20,11 +20,10 @@ export const isLog = (values: number[]): boolean =>
 
 export function scatters(study: StudyPage): HTMLElement | null {
   const made = study.scatter;
-  if (!made || made.factors.length === 0) return null;
+  const defined = study.readouts.filter((r) => study.runs.some((run) => typeof run.readouts[r.name] === "number"));
+  if (!made || made.factors.length === 0 || defined.length === 0) return null;
   const place = new Map(made.points.map((point, i) => [point.join(), i]));
   const conditions = study.axes.length > 1 ? study.axes[1].values.map(String) : [""];
-  const defined = study.readouts.filter((r) => study.runs.some((run) => typeof run.readouts[r.name] === "number"));
-  if (defined.length === 0) return null;
   const figures = defined.flatMap((readout) =>
     made.factors.map((factor) => {
       const c = factor.correlations.find((one) => one.readout === readout.name);
@@ -33,8 +32,8 @@ export function scatters(study: StudyPage): HTMLElement | null {
       const caption =
         `${capital(readout.meaning)}, over ${wordsOf(factor)}: ` +
         (known ? `Spearman's rho ${readable(c.rho, 2)} over ${c.n} points, ${pText(c.p_holm)} after Holm's correction.` : "no rank correlation.") +
-        (targets.length > 0 ? " Band: measured, with one standard error." : "");
-      return figure(pretty(caption), 330, () => {
+        bandNote(targets);
+      return figure(pretty(caption), () => 330, () => {
         const runs = study.runs.flatMap((run) => {
           const i = place.get(run.point.join());
           const y = run.readouts[readout.name];
@@ -42,24 +41,19 @@ export function scatters(study: StudyPage): HTMLElement | null {
         });
         const data = conditions.map((condition, k): Json => {
           const mine = runs.filter((r) => (r.run.point[1] ?? 0) === k);
-          return {
-            type: "scatter",
-            mode: "markers",
-            name: typeset(verbatim(condition)),
-            x: mine.map((r) => r.x),
-            y: mine.map((r) => r.y),
-            marker: { color: seriesColour(k), size: 7, opacity: 0.75 },
-            text: mine.map((r) => `${typeset(settingOf(factor, readable(r.x, 3)))}<br>seed ${r.run.seed}: ${readable(r.y)}`),
-            hoverinfo: "text",
-          };
+          const text = mine.map((r) => `${typeset(settingOf(factor, readable(r.x, 3)))}<br>seed ${r.run.seed}: ${readable(r.y)}`);
+          const marker = { color: seriesColour(k), size: 7, opacity: 0.75 };
+          return { ...dots(mine.map((r) => r.x), mine.map((r) => r.y), text, marker), name: typeset(verbatim(condition)) };
         });
+        const [low, high] = [Math.min(...runs.map((r) => r.y)), Math.max(...runs.map((r) => r.y))];
+        const counted = !readout.unit && runs.every((r) => Number.isInteger(r.y));
         return {
           data,
           layout: {
             showlegend: conditions.length > 1,
             legend: { orientation: "h", y: 1.02, yanchor: "bottom" },
-            xaxis: (isLog(factor.values) ? logAxis(titleOf(factor), factor.values) : axis(titleOf(factor))),
-            yaxis: axis(titleOf(readout), !readout.unit && runs.every((r) => Number.isInteger(r.y)) ? wholeTicks(Math.min(...runs.map((r) => r.y)), Math.max(...runs.map((r) => r.y))) : {}),
+            xaxis: isLog(factor.values) ? logAxis(titleOf(factor), factor.values) : axis(titleOf(factor)),
+            yaxis: axis(titleOf(readout), counted ? wholeTicks(low, high) : {}),
             ...bands(targets),
           },
         };

@@ -6,6 +6,9 @@ import type { StudyTarget } from "./contract";
 /** Of a read-out. */
 export const targetsOf = (study: { targets?: StudyTarget[] }, readout: string): StudyTarget[] => (study.targets ?? []).filter((t) => t.readout === readout);
 
+export const bandNote = (targets: StudyTarget[]): string =>
+  targets.length > 0 ? " Band: measured, with one standard error." : "";
+
 /** Shapes and annotations: a band from one standard error below to one above. */
 export function bands(targets: StudyTarget[]): { shapes: Json[]; annotations: Json[] } {
   const soft = ink().soft;

@@ -38,21 +38,32 @@ const sequential: MapKey[] = ["viridis", "cividis", "magma", "grey"];
 
 const limits = (field: Field): [number, number] => [field.offset, field.offset + 255 * field.scale];
 
+type Own = Pick<Layer, "key" | "name" | "unit" | "note" | "field" | "low" | "high">;
+/** A layer that differs from others by what is given. */
+export const layerOf = (own: Own & Partial<Layer>): Layer => ({
+  rest: 0,
+  maps: sequential,
+  cut: { low: false, high: false },
+  solidOnly: false,
+  ...own,
+});
+
 function stress(key: string, name: string, note: string, field: Field): Layer {
   const [low, high] = limits(field);
-  return { key, name, unit: "Pa", note, field, low, high, rest: 0, maps: sequential, cut: { low: false, high: true }, solidOnly: true };
+  return layerOf({ key, name, unit: "Pa", note, field, low, high, cut: { low: false, high: true }, solidOnly: true });
 }
 
 /** A layer of a field that the scenario gives the matrix; solid and fluid have a value. */
 function given(key: string, name: string, unit: string, note: string, field: Field): Layer {
   const [low, high] = limits(field);
-  return { key, name, unit, note, field, low, high, rest: low, maps: sequential, cut: { low: false, high: false }, solidOnly: false };
+  return layerOf({ key, name, unit, note, field, low, high, rest: low });
 }
 
 export function layers(film: Film): Layer[] {
+  const { fibreVonMises, attractant } = film;
   const largest = Math.max(...limits(film.pressure).map(Math.abs));
-  const out: Layer[] = [
-    {
+  return [
+    layerOf({
       key: "degradation",
       name: "Intact matrix",
       symbol: "f_degr",
@@ -64,11 +75,9 @@ export function layers(film: Film): Layer[] {
       high: 1,
       rest: 1,
       maps: ["gel", ...sequential],
-      cut: { low: false, high: false },
-      solidOnly: false,
       contour: 0.5,
-    },
-    {
+    }),
+    layerOf({
       key: "displacement",
       name: "Displacement",
       unit: "\u00b5m",
@@ -76,12 +85,9 @@ export function layers(film: Film): Layer[] {
       field: null,
       low: 0,
       high: usualDisplacement(film),
-      rest: 0,
-      maps: sequential,
-      cut: { low: false, high: false },
       solidOnly: true,
-    },
-    {
+    }),
+    layerOf({
       key: "pressure",
       name: "Pressure",
       unit: "Pa",
@@ -90,35 +96,20 @@ export function layers(film: Film): Layer[] {
       field: film.pressure,
       low: -largest,
       high: largest,
-      rest: 0,
       maps: ["blueWhiteOrange", "purpleGreen", ...sequential],
       cut: { low: true, high: true },
-      solidOnly: false,
-    },
+    }),
     stress("von_mises", "Von Mises stress", "Von Mises stress of the solid matrix: how hard it is sheared.", film.vonMises),
+    ...(fibreVonMises ? [stress("fibre_von_mises", "Fibre von Mises stress", ofFibres, fibreVonMises)] : []),
+    ...film.layers.map(({ name, title, unit, meaning, field }) => given(name, title, unit, meaning, field)),
+    ...(attractant ? [given("attractant", "Attractant", "", "Concentration of the chemoattractant.", attractant)] : []),
   ];
-  if (film.fibreVonMises)
-    out.push(
-      stress(
-        "fibre_von_mises",
-        "Fibre von Mises stress",
-        "The part of the von Mises stress that the fibres carry (Eq. 11).",
-        film.fibreVonMises,
-      ),
-    );
-  for (const { name, title, unit, meaning, field } of film.layers) out.push(given(name, title, unit, meaning, field));
-  const { attractant } = film;
-  if (attractant) out.push(given("attractant", "Attractant", "", "Concentration of the chemoattractant.", attractant));
-  return out;
 }
+const ofFibres = "The part of the von Mises stress that the fibres carry (Eq. 11).";
 
-/** Smallest and largest value over the stored frames.   @param first  the frames before are left out */
-export function extremes(film: Film, layer: Layer, first = 0): { low: number; high: number } {
-  return layer.range ?? extremesOf(film, layer, first, film.growing ? film.times.length : Infinity);
-}
-
-/** Smallest and largest value of the frames from `first` up to, but without, `end`. */
-export function extremesOf(film: Film, layer: Layer, first: number, end: number): { low: number; high: number } {
+/** Smallest and largest value of the stored frames from `first` up to, but without, `end`. */
+export function extremes(film: Film, layer: Layer, first = 0, end = film.growing ? film.times.length : Infinity): { low: number; high: number } {
+  if (layer.range) return layer.range;
   if (layer.field) {
     let [low, high] = [Infinity, -Infinity];
     const { q: all, step } = layer.field;

@@ -2,6 +2,7 @@
 import { colourMaps, mapped, type MapKey, type Rgb } from "../../colour";
 import { extremes, type Layer } from "./layers";
 import type { Film } from "../frames";
+import type { Usual } from "../over/arrows";
 
 export interface Scale {
   low: number;
@@ -9,6 +10,14 @@ export interface Scale {
   map: readonly Rgb[];
   /** True if areas beyond the limits are hatched: after a person has set limits. */
   hatched: boolean;
+}
+
+/** What has colours, the matrix or the edge of the cell, as a colour bar shows them. */
+export interface Coloured {
+  layer: Pick<Layer, "name" | "symbol" | "unit" | "ends">;
+  scale: Omit<Scale, "hatched">;
+  /** Ends of the scale beyond which there are values. */
+  clamped: { low: boolean; high: boolean };
 }
 
 /** Limits and colour map of a layer, as a person may have changed them. Runs beside each other may share them. */
@@ -99,8 +108,7 @@ export class LayerScale {
     return { low: this.low, high: this.high, map: colourMaps[this.limits.map].on(dark), hatched: this.limits.edited };
   }
 
-  /** What a colour bar shows. */
-  bar(dark: boolean): { layer: Layer; scale: Scale; clamped: { low: boolean; high: boolean } } {
+  bar(dark: boolean): Coloured {
     return { layer: this.layer, scale: this.on(dark), clamped: this.clamped() };
   }
 }
@@ -117,3 +125,49 @@ export const hatchStrength = 0.65;
 
 /** Stripes are dark on light colours and light on dark ones. */
 export const isBright = (r: number, g: number, b: number): boolean => 0.3 * r + 0.59 * g + 0.11 * b > 128;
+
+/** What runs beside each other have in common, so that their pictures can be compared: limits of colours, lengths of arrows. */
+export class SharedScales {
+  /** Of all runs together. */
+  readonly usual: Usual = { displacement: 0, velocity: 0, force: 0 };
+  private shared = true;
+  private readonly limits = new Map<string, Limits>();
+  private readonly members = new Map<object, () => void>();
+
+  /** True if limits are shared; else each run has its own. */
+  get on(): boolean {
+    return this.shared;
+  }
+
+  set on(on: boolean) {
+    this.shared = on;
+    this.tell(null);
+  }
+
+  /**
+   * @param all      what the run can colour
+   * @param changed  called when others have changed what is shared
+   * @param gone     when the run is taken away
+   */
+  join(member: object, all: Layer[], usual: Usual, changed: () => void, gone: AbortSignal): void {
+    for (const layer of all) {
+      const there = this.limits.get(layer.key);
+      if (there) there.include(layer);
+      else this.limits.set(layer.key, new Limits(layer));
+    }
+    for (const key of ["displacement", "velocity", "force"] as const)
+      this.usual[key] = Math.max(this.usual[key], usual[key]);
+    this.members.set(member, changed);
+    gone.addEventListener("abort", () => this.members.delete(member));
+    this.tell(member);
+  }
+
+  of(layer: Layer): Limits | undefined {
+    return this.limits.get(layer.key);
+  }
+
+  /** @param by  who changed something, and need not be told */
+  tell(by: object | null): void {
+    for (const [member, changed] of this.members) if (member !== by) changed();
+  }
+}

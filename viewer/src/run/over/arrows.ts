@@ -105,10 +105,9 @@ export function paintTraction(c: Pen, { film, place, camera, dark }: Omit<Scene,
 
 /** Direction of the front, at the centre of the cell. */
 export function paintPolarization(c: Pen, camera: Camera, tracks: Tracks, time: number, dark: boolean): void {
-  let i = tracks.t_s.findLastIndex((t) => t <= time);
-  if (i < 0) i = 0;
-  const angle = tracks.polarization_rad[i];
-  if (angle === null || angle === undefined) return;
+  const i = Math.max(0, tracks.t_s.findLastIndex((t) => t <= time));
+  const angle = tracks.polarization_rad[i] ?? null;
+  if (angle === null) return;
   c.beginPath();
   const length = Math.max(34, 11 * camera.scale);
   const [x, y] = [camera.toScreenX(tracks.x_um[i]), camera.toScreenY(tracks.y_um[i])];
@@ -135,7 +134,7 @@ export function paintArrowKeys(c: Pen, camera: Camera, keys: ArrowKey[]): void {
     c.font = labelFont;
     const [length, wide] = [value * key.unit, textWidth(c, text)];
     const [x, y] = [camera.width - 16 - length - 8 - wide, camera.height - 18 - 25 * k];
-    c.fillStyle = key.dark ? "rgba(20,23,26,.8)" : "rgba(255,255,255,.85)";
+    c.fillStyle = ink(key.dark).veil;
     c.fillRect(x - 8, y - 11, length + wide + 24, 24);
     c.beginPath();
     arrow(c, x, y, length, 0, 9);

@@ -1,21 +1,11 @@
 /** Draws what lies over the matrix: the cell with front and rear, its protrusions, adhesions, path, and arrows. */
-import { nucleusColour, phaseColours, phaseColoursOnDark } from "../../colour";
+import { nucleusColour, phaseColoursOn } from "../../colour";
 import type { FrameProtrusion, Tracks } from "../../contract";
 import type { MeasuredTrack } from "../../measured";
 import { roundStep } from "../../numbers";
 import { type Field, valueAt } from "../../embedded";
-import {
-  paintArrowKeys,
-  paintArrows,
-  paintPolarization,
-  paintTraction,
-  pixelsPerForce,
-  pixelsPerUnit,
-  tractionColour,
-  type ArrowKey,
-  type ArrowKind,
-  type Usual,
-} from "./arrows";
+import { paintArrowKeys, paintArrows, paintPolarization, paintTraction, pixelsPerForce, pixelsPerUnit, tractionColour } from "./arrows";
+import type { ArrowKey, ArrowKind, Usual } from "./arrows";
 import type { Camera } from "../camera";
 import { coloursOf, tracksOfCells, type CellPart } from "../cells";
 import { paintEdge, type Edge } from "./edge";
@@ -24,7 +14,7 @@ import type { Shown } from "../matrix/layers";
 import type { Scale } from "../matrix/scale";
 import { paintFibres } from "./fibres";
 import { paintMeasured, paintObstacles } from "./marks";
-import { edged, ink, labelFont, textWidth, type Pen } from "./pen";
+import { edged, ink, labelFont, polyline, textWidth, type Pen } from "./pen";
 
 export interface CellScene {
   film: Film;
@@ -50,7 +40,7 @@ export interface CellScene {
 function arcs(n: number, has: (i: number) => boolean): number[][] {
   let start = 0;
   while (start < n && has(start)) ++start;
-  if (start === n) return [Array.from({ length: n }, (_, i) => i)];
+  if (start === n) return [range(0, n)];
   const out: number[][] = [];
   let open: number[] | null = null;
   for (let k = 1; k <= n; ++k) {
@@ -62,15 +52,14 @@ function arcs(n: number, has: (i: number) => boolean): number[][] {
   return out;
 }
 
-function trace(c: Pen, camera: Camera, outline: Float32Array, indices: Iterable<number>): void {
-  let first = true;
-  for (const i of indices) {
-    const [x, y] = [camera.toScreenX(outline[2 * i]), camera.toScreenY(outline[2 * i + 1])];
-    if (first) c.moveTo(x, y);
-    else c.lineTo(x, y);
-    first = false;
-  }
+/** A new path along points of an outline. */
+function trace(c: Pen, camera: Camera, outline: Float32Array, indices: number[]): void {
+  c.beginPath();
+  polyline(c, indices.map((i) => [camera.toScreenX(outline[2 * i]), camera.toScreenY(outline[2 * i + 1])]));
 }
+
+/** So many numbers from `first` on. */
+const range = (first: number, count: number): number[] => Array.from({ length: count }, (_, i) => first + i);
 
 /** Arcs of one cell, as indices on the outline of all cells. */
 const arcsOf = ({ first, end }: CellPart, has: (i: number) => boolean): number[][] =>
@@ -79,15 +68,13 @@ const arcsOf = ({ first, end }: CellPart, has: (i: number) => boolean): number[]
 function paintBody(c: Pen, { film, place, camera }: CellScene, outline: Float32Array, cell: CellPart): void {
   const { rear, front } = coloursOf(cell.number, film.cells.length);
   c.save();
-  c.beginPath();
-  trace(c, camera, outline, Array.from({ length: cell.end - cell.first }, (_, i) => cell.first + i));
+  trace(c, camera, outline, range(cell.first, cell.end - cell.first));
   c.closePath();
   c.fillStyle = rear;
   c.fill();
   c.clip();
   c.fillStyle = front;
   for (const arc of arcsOf(cell, (i) => valueAt(film.outline.front, place.frame, i) > 0.5)) {
-    c.beginPath();
     trace(c, camera, outline, arc);
     c.closePath();
     c.fill();
@@ -102,8 +89,7 @@ function paintNuclei(c: Pen, { film, place, camera }: CellScene, nucleus: Field)
   const each = points / film.cells.length;
   c.fillStyle = nucleusColour;
   for (let cell = 0; cell < film.cells.length; ++cell) {
-    c.beginPath();
-    trace(c, camera, outline, Array.from({ length: each }, (_, i) => cell * each + i));
+    trace(c, camera, outline, range(cell * each, each));
     c.closePath();
     c.fill();
   }
@@ -119,44 +105,38 @@ function paintNumber(c: Pen, camera: Camera, outline: Float32Array, cell: CellPa
   const [x, y] = [camera.toScreenX(middle[0]), camera.toScreenY(middle[1])];
   const text = String(cell.number);
   c.font = labelFont;
-  c.beginPath();
-  c.arc(x, y, 10, 0, 2 * Math.PI);
-  c.fillStyle = "rgba(255,255,255,.85)";
-  c.fill();
+  disc(c, x, y, 10, "rgba(255,255,255,.85)");
   c.fillStyle = "#1f2328";
   c.fillText(text, x - 0.5 * textWidth(c, text), y + 5);
 }
 
 function paintProtrusion(c: Pen, scene: CellScene, outline: Float32Array, p: FrameProtrusion, slot: number): void {
   const { film, place, camera, dark } = scene;
-  const colour = (dark ? phaseColoursOnDark : phaseColours)[p.phase];
+  const colour = phaseColoursOn(dark)[p.phase];
   const cell = film.cells.find(({ first, end }) => p.centre >= first && p.centre < end) ?? film.cells[0];
   for (const arc of arcsOf(cell, (i) => valueAt(film.outline.protrusion, place.frame, i) === slot)) {
-    c.beginPath();
     trace(c, camera, outline, arc);
-    edged(
-      c,
-      colour,
-      dark ? "#14171a" : "#ffffff",
-      Math.min(5, Math.max(2.2, 0.5 * camera.scale)),
-      p.phase === 3 ? [5, 4] : [],
-    );
+    edged(c, colour, ink(dark).edge, Math.min(5, Math.max(2.2, 0.5 * camera.scale)), p.phase === 3 ? [5, 4] : []);
   }
+}
+
+function disc(c: Pen, x: number, y: number, radius: number, colour: string): void {
+  c.beginPath();
+  c.arc(x, y, radius, 0, 2 * Math.PI);
+  c.fillStyle = colour;
+  c.fill();
 }
 
 function paintAdhesion(c: Pen, { camera, dark }: CellScene, outline: Float32Array, p: FrameProtrusion): void {
   if (!p.anchor) return;
   const [ax, ay] = [camera.toScreenX(p.anchor[0]), camera.toScreenY(p.anchor[1])];
-  const colour = (dark ? phaseColoursOnDark : phaseColours)[p.phase];
-  const edge = dark ? "#14171a" : "#ffffff";
+  const colour = phaseColoursOn(dark)[p.phase];
+  const { edge } = ink(dark);
   c.beginPath();
   c.moveTo(camera.toScreenX(outline[2 * p.centre]), camera.toScreenY(outline[2 * p.centre + 1]));
   c.lineTo(ax, ay);
   edged(c, colour, edge, 1.6);
-  c.beginPath();
-  c.arc(ax, ay, 2.5 + 5 * p.f_mat, 0, 2 * Math.PI);
-  c.fillStyle = colour;
-  c.fill();
+  disc(c, ax, ay, 2.5 + 5 * p.f_mat, colour);
   c.lineWidth = 1.2;
   c.strokeStyle = edge;
   c.stroke();
@@ -167,12 +147,9 @@ function paintPath(c: Pen, { camera, time, dark }: CellScene, tracks: Tracks, co
   c.beginPath();
   for (let i = 0; i < tracks.t_s.length && tracks.t_s[i] <= time; ++i)
     c.lineTo(camera.toScreenX(tracks.x_um[i]), camera.toScreenY(tracks.y_um[i]));
-  edged(c, colour, dark ? "#14171a" : "#ffffff", 1.6);
+  edged(c, colour, ink(dark).edge, 1.6);
   if (tracks.t_s.length === 0) return;
-  c.beginPath();
-  c.arc(camera.toScreenX(tracks.x_um[0]), camera.toScreenY(tracks.y_um[0]), 3.6, 0, 2 * Math.PI);
-  c.fillStyle = dark ? "#14171a" : "#ffffff";
-  c.fill();
+  disc(c, camera.toScreenX(tracks.x_um[0]), camera.toScreenY(tracks.y_um[0]), 3.6, ink(dark).edge);
   c.lineWidth = 1.8;
   c.strokeStyle = colour;
   c.stroke();
@@ -185,7 +162,7 @@ function paintScaleBar(c: Pen, { camera, dark }: CellScene): void {
   const [x, y, w] = [14, camera.height - 18, length * camera.scale];
   const text = `${Number(length.toPrecision(3))} \u00b5m`;
   c.font = labelFont;
-  c.fillStyle = dark ? "rgba(20,23,26,.8)" : "rgba(255,255,255,.85)";
+  c.fillStyle = ink(dark).veil;
   c.fillRect(x - 7, y - 9, w + textWidth(c, text) + 23, 22);
   c.fillStyle = dark ? "#f0f3f6" : "#1f2328";
   c.fillRect(x, y, w, 4);
@@ -209,21 +186,22 @@ export function paintCell(c: Pen, scene: CellScene): void {
   const { film, place, camera, shown, usual, arrows, dark } = scene;
   const outline = outlineAt(film, place);
   const alive = film.protrusions[place.frame];
+  const bodies = shown.cell ? film.cells : [];
   const part = (name: string) => c.part?.(name);
   part("obstacles");
-  paintObstacles(c, film, camera, scene.spacing, scene.dark);
+  paintObstacles(c, film, camera, scene.spacing, dark);
   part("fibres");
   if (scene.fibres) paintFibres(c, scene, scene.fibres);
   part("arrows");
   if (shown.arrows) paintArrows(c, scene, arrows, pixelsPerUnit(arrows, usual, camera));
   part("cell");
-  if (shown.cell) for (const cell of film.cells) paintBody(c, scene, outline, cell);
+  for (const cell of bodies) paintBody(c, scene, outline, cell);
   if (shown.cell && film.nucleus) paintNuclei(c, scene, film.nucleus);
   part("protrusions");
   if (shown.protrusions) alive.forEach((p, slot) => paintProtrusion(c, scene, outline, p, slot));
   part("edge");
   // Drawn over the protrusions, so that a chosen colour of the edge stays visible there.
-  if (shown.cell) paintEdge(c, camera, outline, film.cells, scene.edge, place);
+  paintEdge(c, camera, outline, bodies, scene.edge, place);
   part("adhesions");
   if (shown.adhesions) alive.forEach((p) => paintAdhesion(c, scene, outline, p));
   // Over the cell, which would hide short tracks.
@@ -240,7 +218,7 @@ export function paintCell(c: Pen, scene: CellScene): void {
   part("polarization");
   if (shown.polarization) for (const one of tracks) paintPolarization(c, camera, one.tracks, scene.time, dark);
   part("numbers");
-  if (shown.cell && film.cells.length > 1) for (const cell of film.cells) paintNumber(c, camera, outline, cell);
+  if (bodies.length > 1) for (const cell of bodies) paintNumber(c, camera, outline, cell);
   part("traction");
   if (shown.traction) paintTraction(c, scene, outline, pixelsPerForce(usual));
   part("scales");

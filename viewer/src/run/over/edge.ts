@@ -1,9 +1,7 @@
 /** The edge of the cell coloured by what its cortex does: maturation, or the force of its actomyosin. */
-import { css, gradient, lookUp, viridis, type Rgb } from "../../colour";
-import { h } from "../../dom";
-import { readable } from "../../numbers";
-import type { Coloured } from "../stage_view";
-import { titleOf, type Shown } from "../matrix/layers";
+import { css, lookUp, viridis } from "../../colour";
+import type { Shown } from "../matrix/layers";
+import type { Coloured } from "../matrix/scale";
 import type { Field } from "../../embedded";
 import type { Camera } from "../camera";
 import type { CellPart } from "../cells";
@@ -31,13 +29,7 @@ function top(field: Field): number {
 export const edges = (film: Film): Edge[] => [
   { key: "plain", name: "plain", unit: "", field: null, high: 1 },
   { key: "f_mat", name: "maturation f_mat", unit: "", field: film.outline.fMat, high: 1 },
-  {
-    key: "force",
-    name: "actomyosin force",
-    unit: "nN",
-    field: film.outline.force,
-    high: top(film.outline.force),
-  },
+  { key: "force", name: "actomyosin force", unit: "nN", field: film.outline.force, high: top(film.outline.force) },
 ];
 
 /** Whether it is drawn in colours of its own, which hide those of protrusions. */
@@ -50,16 +42,9 @@ export const edgeBar = ({ name, unit, high }: Edge): Coloured => ({
   clamped: { low: false, high: false },
 });
 
-const table = lookUp(viridis);
+const colours = lookUp(viridis).map(css);
 
-export function paintEdge(
-  c: Pen,
-  camera: Camera,
-  outline: Float32Array,
-  cells: CellPart[],
-  edge: Edge,
-  place: Place,
-): void {
+export function paintEdge(c: Pen, camera: Camera, outline: Float32Array, cells: CellPart[], edge: Edge, place: Place): void {
   if (!edge.field) return;
   c.lineCap = "round";
   // First a light line all around, which sets the colours off from the cell and the matrix.
@@ -69,36 +54,11 @@ export function paintEdge(
       for (let i = first; i < end; ++i) {
         const k = i + 1 === end ? first : i + 1;
         const value = Math.min(1, Math.max(0, between(edge.field, place, i) / edge.high));
-        const at = 4 * Math.round(255 * value);
-        c.strokeStyle = ground ? "#ffffff" : css([table[at], table[at + 1], table[at + 2]] as Rgb);
+        c.strokeStyle = ground ? "#ffffff" : colours[Math.round(255 * value)];
         c.beginPath();
         c.moveTo(camera.toScreenX(outline[2 * i]), camera.toScreenY(outline[2 * i + 1]));
         c.lineTo(camera.toScreenX(outline[2 * k]), camera.toScreenY(outline[2 * k + 1]));
         c.stroke();
       }
   }
-}
-
-/** The choice and, once something is chosen, its colour bar. */
-export function edgeChoice(all: Edge[], chosen: (edge: Edge) => void): HTMLElement {
-  const select = h("select", { name: "edge" }, ...all.map((edge) => h("option", { value: edge.key }, edge.name)));
-  const bar = h("div", {});
-  select.addEventListener("change", () => {
-    const edge = all.find((e) => e.key === select.value) ?? all[0];
-    bar.replaceChildren(
-      ...(edge.field
-        ? [
-            h("p", { class: "legend-title" }, titleOf(edgeBar(edge).layer)),
-            h("div", { class: "bar", style: `background:${gradient(viridis)}` }),
-            h(
-              "div",
-              { class: "bar-numbers" },
-              ...[0, 0.5, 1].map((share) => h("span", {}, readable(share * edge.high, 3))),
-            ),
-          ]
-        : []),
-    );
-    chosen(edge);
-  });
-  return h("div", { class: "edge" }, h("label", {}, "Edge of the cell: ", select), bar);
 }

@@ -4,10 +4,9 @@
  */
 import { css, mapped } from "../../colour";
 import { valueAt } from "../../embedded";
-import type { Fibres } from "../bonds";
 import type { Camera } from "../camera";
-import { between, solidFrom, type Film, type Place } from "../frames";
-import type { Layer } from "../matrix/layers";
+import { between, fewFrames, solidFrom, type Fibres, type Film, type Place } from "../frames";
+import { layerOf, type Layer } from "../matrix/layers";
 import type { Scale } from "../matrix/scale";
 import type { Pen } from "./pen";
 
@@ -24,7 +23,7 @@ export function strainAt({ x, f }: Film, { ends, length }: Fibres, place: Place,
 function someStrains(film: Film, fibres: Fibres): Float32Array {
   const every = Math.max(1, Math.ceil(fibres.length.length / 30000));
   const all: number[] = [];
-  for (const frame of new Set([0.25, 0.5, 0.75, 1].map((share) => Math.round(share * (film.times.length - 1)))))
+  for (const frame of fewFrames(film))
     for (let k = 0; k < fibres.length.length; k += every) {
       const strain = strainAt(film, fibres, { frame, next: frame, fraction: 0 }, k);
       if (!Number.isNaN(strain)) all.push(strain);
@@ -40,7 +39,7 @@ export function fibreLayer(film: Film): Layer | null {
   const sizes = strains.map(Math.abs).sort();
   const usual = sizes[Math.floor(0.995 * (sizes.length - 1))] || 0;
   const most = usual > 0 ? Number(usual.toPrecision(2)) : 0.1;
-  return {
+  return layerOf({
     key: "fibre_strain",
     name: "Fibre strain",
     unit: "",
@@ -50,11 +49,8 @@ export function fibreLayer(film: Film): Layer | null {
     range: { low: strains[0] ?? 0, high: strains[strains.length - 1] ?? 0 },
     low: -most,
     high: most,
-    rest: 0,
     maps: ["blueWhiteOrange", "purpleGreen"],
-    cut: { low: false, high: false },
-    solidOnly: false,
-  };
+  });
 }
 
 /** Steps of the colour map; odd, so that one is that of no strain. */

@@ -5,7 +5,7 @@ import { type MeasuredTrack, until } from "../../measured";
 import type { Camera } from "../camera";
 import { tracksOfCells } from "../cells";
 import type { Film } from "../frames";
-import { edged, type Pen } from "./pen";
+import { edged, polyline, type Pen } from "./pen";
 
 /** Where the simulated path begins; of several cells the mean. */
 export function startOf(tracks: Tracks): [number, number] {
@@ -28,32 +28,24 @@ export function paintMeasured(c: Pen, measured: MeasuredTrack[], tracks: Tracks,
   for (const track of measured) {
     const { x, y } = until(track, time);
     c.beginPath();
-    x.forEach((v, i) => {
-      const [sx, sy] = [camera.toScreenX(x0 + v), camera.toScreenY(y0 + y[i])];
-      if (i === 0) c.moveTo(sx, sy);
-      else c.lineTo(sx, sy);
-    });
+    polyline(c, x.map((v, i) => [camera.toScreenX(x0 + v), camera.toScreenY(y0 + y[i])]));
     edged(c, line.colour, halo.colour, line.width, [], 0.5 * (halo.width - line.width));
   }
 }
 
 // Rigid obstacles: squares where their particles lie, over any layer, since they have no values of their own.
 
-export const obstacleColour = colours.obstacle;
-export const obstacleColourOnDark = "#9aa3ad";
+export const obstacleColour = (dark: boolean): string => (dark ? "#9aa3ad" : colours.obstacle);
 
 export function paintObstacles(c: Pen, film: Film, camera: Camera, spacing: number, dark: boolean): void {
   if (film.obstacles.length === 0) return;
   const side = 1.08 * spacing * camera.scale;
-  c.fillStyle = dark ? obstacleColourOnDark : obstacleColour;
+  c.fillStyle = obstacleColour(dark);
   c.beginPath();
   for (const [x, y] of film.obstacles) {
     const [left, top] = [camera.toScreenX(x) - 0.5 * side, camera.toScreenY(y) - 0.5 * side];
     if (left < -side || top < -side || left > camera.width || top > camera.height) continue;
-    c.moveTo(left, top);
-    c.lineTo(left + side, top);
-    c.lineTo(left + side, top + side);
-    c.lineTo(left, top + side);
+    polyline(c, [[left, top], [left + side, top], [left + side, top + side], [left, top + side]]);
     c.closePath();
   }
   c.fill();

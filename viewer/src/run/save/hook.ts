@@ -1,6 +1,5 @@
 /** `window.matrigrate`: for programs that drive the page, such as `drive.mjs`. Stated in README.md. */
 import type { Clock } from "../clock";
-import type { Layer } from "../matrix/layers";
 import type { Stage } from "../stage";
 import { panel } from "./panel";
 import { paintPicture, stripHeight, svg } from "./picture";
@@ -55,7 +54,7 @@ export function hook(ready: Promise<Stage | null>, clock: Clock): Hook {
     show: ({ width, height, layer, follow, whole }) => {
       const shown = there();
       if (clock.playing) clock.toggle();
-      const wanted: Layer | undefined = shown.layers.find((one) => one.key === layer);
+      const wanted = shown.layers.find((one) => one.key === layer);
       if (layer !== undefined && !wanted) throw new Error(`there is no layer "${layer}"`);
       if (wanted) shown.choose(wanted);
       shown.fix(width, height - stripHeight(width, shown.view().bars));
@@ -66,10 +65,7 @@ export function hook(ready: Promise<Stage | null>, clock: Clock): Hook {
       paintPicture(canvas, at(time).view(), true);
       return canvas;
     },
-    svg: (time) => {
-      const shown = at(time);
-      return svg(shown, shown.view().title);
-    },
-    panel: (times) => panel(there(), clock, times),
+    svg: (time) => svg(at(time)),
+    panel: (times) => panel(there(), times),
   };
 }

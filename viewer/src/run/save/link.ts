@@ -1,7 +1,5 @@
 /** A moment in the address of the page: `#t=3h12m&layer=pressure`. */
-import { h } from "../../dom";
-import type { Clock } from "../clock";
-import type { Layer } from "../matrix/layers";
+import { button, h } from "../../dom";
 import type { Stage } from "../stage";
 
 export interface Moment {
@@ -36,16 +34,17 @@ export function momentOf(hash: string): Moment {
 const pause = 250;
 
 /** Shows what the address says. Returns whether it said a time. */
-function obey(clock: Clock, stage: Stage, all: Layer[]): boolean {
+function obey(stage: Stage): boolean {
   const { time, layer } = momentOf(location.hash);
-  const wanted = all.find((one) => one.key === layer);
+  const wanted = stage.layers.find((one) => one.key === layer);
   if (wanted) stage.choose(wanted);
-  if (time !== null) clock.jump(time);
+  if (time !== null) stage.clock.jump(time);
   return time !== null;
 }
 
 /** Follows the address, and writes it whenever the film stands still at another time or layer. */
-export function followAddress(clock: Clock, stage: Stage, all: Layer[], gone: AbortSignal): boolean {
+export function followAddress(stage: Stage, gone: AbortSignal): boolean {
+  const { clock } = stage;
   let later: ReturnType<typeof setTimeout> | undefined;
   const write = () => {
     clearTimeout(later);
@@ -54,35 +53,38 @@ export function followAddress(clock: Clock, stage: Stage, all: Layer[], gone: Ab
       if (!clock.playing) history.replaceState(null, "", momentHash(clock.time, stage.layer.key));
     }, pause);
   };
-  const said = obey(clock, stage, all);
+  const said = obey(stage);
   clock.onChange(write, gone);
-  stage.onLayer(write);
-  addEventListener("hashchange", () => obey(clock, stage, all), { signal: gone });
+  stage.on("layer", write);
+  addEventListener("hashchange", () => obey(stage), { signal: gone });
   gone.addEventListener("abort", () => clearTimeout(later));
   return said;
 }
 
 /** Where the clipboard is closed to pages, the old way still works. */
-export async function copied(text: string): Promise<boolean> {
+function copiedByHand(text: string): boolean {
+  const area = h("textarea", { class: "unseen", readonly: true }, text);
+  document.body.append(area);
+  area.select();
+  const done = document.execCommand("copy");
+  area.remove();
+  return done;
+}
+
+/** Copies the address of this page with another end. */
+export async function copyLink(hash: string, tell: (text: string) => void): Promise<void> {
+  const address = location.href.replace(/#.*$/, "") + hash;
+  let done = true;
   try {
-    await navigator.clipboard.writeText(text);
-    return true;
+    await navigator.clipboard.writeText(address);
   } catch {
-    const area = h("textarea", { class: "unseen", readonly: true }, text);
-    document.body.append(area);
-    area.select();
-    const done = document.execCommand("copy");
-    area.remove();
-    return done;
+    done = copiedByHand(address);
   }
+  tell(done ? "Link copied." : `Link: ${address}`);
 }
 
 /** @param tell  says what came of it */
-export function linkButton(clock: Clock, stage: Stage, tell: (text: string) => void): HTMLElement {
-  const button = h("button", { type: "button", class: "link", title: "Address of this page at this time" }, "Copy link");
-  button.addEventListener("click", () => {
-    const address = location.href.replace(/#.*$/, "") + momentHash(clock.time, stage.layer.key);
-    void copied(address).then((done) => tell(done ? "Link copied." : `Link: ${address}`));
-  });
-  return button;
+export function linkButton(stage: Stage, tell: (text: string) => void): HTMLElement {
+  const onclick = () => copyLink(momentHash(stage.clock.time, stage.layer.key), tell);
+  return button("Copy link", { class: "link", title: "Address of this page at this time", onclick });
 }

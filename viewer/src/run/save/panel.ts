@@ -1,9 +1,7 @@
 /** Moments of a run side by side, for a publication: at one scale and place, with one colour bar and one legend. */
-import type { Clock } from "../clock";
 import { timeText } from "../../numbers";
 import { signs } from "../legend";
-import { ink, labelFont } from "../over/pen";
-import { SvgPen } from "../over/svg_pen";
+import { ink, labelFont, SvgPen } from "../over/pen";
 import type { Stage } from "../stage";
 import { drawnLayers, paintBar, svgDocument } from "./picture";
 
@@ -28,7 +26,7 @@ function legend(stage: Stage, top: number, width: number): [string, number] {
 }
 
 /** @param times  [s]; up to four of them stand in a row */
-export function panel(stage: Stage, clock: Clock, times: number[]): string {
+export function panel(stage: Stage, times: number[]): string {
   const columns = times.length <= 4 ? times.length : times.length <= 6 ? 3 : 4;
   stage.fix(side, side);
   stage.shown.traction = stage.shown.polarization = false;
@@ -36,7 +34,7 @@ export function panel(stage: Stage, clock: Clock, times: number[]): string {
   pen.fillStyle = ink(false).line;
   pen.font = labelFont;
   const pictures = times.map((time, k) => {
-    clock.time = time;
+    stage.clock.time = time;
     const [x, y] = [gap + (k % columns) * (side + gap), heading + Math.floor(k / columns) * (side + heading)];
     pen.fillText(timeText(time), x, y - 8);
     return `${drawnLayers(stage, `-${k + 1}`, x, y)}

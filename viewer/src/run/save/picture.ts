@@ -1,17 +1,17 @@
 /** The present view as a picture of its own: PNG, SVG with the field inside as pixels, and what a recording films. */
 import { css, mapped } from "../../colour";
-import { readable, timeText } from "../../numbers";
-import { labelFont, ink, type Pen } from "../over/pen";
+import { timeText } from "../../numbers";
+import { endsOf } from "../legend";
+import { escaped, ink, labelFont, SvgPen, type Pen } from "../over/pen";
 import { titleOf } from "../matrix/layers";
-import type { Stage } from "../stage";
-import type { Coloured, View } from "../stage_view";
-import { escaped, SvgPen } from "../over/svg_pen";
+import type { Coloured } from "../matrix/scale";
+import type { Stage, View } from "../stage";
 
 /** Beneath the view: time and title, and the colours with their limits [pixels of the page]. */
 const row = 44;
 const [side, gap, beforeBar] = [24, 24, 10];
 const barFont = "12px sans-serif";
-const ground = (dark: boolean): string => (dark ? "#14171a" : "#ffffff");
+const ground = (dark: boolean): string => ink(dark).edge;
 
 /** The name of what a bar is of, in one line or two. */
 function nameOf({ layer }: Coloured): string[] {
@@ -27,18 +27,11 @@ function widthOf(text: string): number {
   return ruler.measureText(text).width;
 }
 
-interface Strip {
-  /** Width of a bar. */
-  bar: number;
-  /** Right end and row of each bar. */
-  places: { right: number; row: number }[];
-  rows: number;
-  /** Right end of the room for time and title. */
-  room: number;
-}
-
-/** Bars up to the right end, in as many rows as they need. */
-function stripOf(width: number, bars: Coloured[]): Strip {
+/**
+ * Bars up to the right end, in as many rows as they need.
+ * @return the width of a bar, right end and row of each, how many rows, and the right end of the room for time and title
+ */
+function stripOf(width: number, bars: Coloured[]) {
   const bar = Math.min(200, (width < 700 ? 0.3 : 0.17) * width);
   const needed = bars.map((one) => gap + Math.max(...nameOf(one).map(widthOf)) + beforeBar + bar);
   const leastRoom = 110; // for time and title
@@ -70,7 +63,7 @@ export function paintBar(c: Pen, coloured: Coloured, width: number, right: numbe
   }
   c.fillStyle = ink(dark).line;
   c.font = barFont;
-  const numbers = [(clamped.low ? "\u2264 " : "") + readable(scale.low, 3), (clamped.high ? "\u2265 " : "") + readable(scale.high, 3)];
+  const numbers = endsOf(scale, clamped);
   const worded = layer.ends ? numbers.map((number, k) => `${number} ${layer.ends?.[k] ?? ""}`) : numbers;
   const widths = (texts: string[]): number => texts.reduce((sum, text) => sum + c.measureText(text).width, 0);
   const [low, high] = widths(worded) + 8 <= width ? worded : numbers;
@@ -137,9 +130,9 @@ export async function png(stage: Stage, width: number | null): Promise<Blob> {
     if (pixels * stage.camera.height > pngWidth.most) throw new Error(`it would be more than ${pngWidth.most} pixels high`);
     stage.viewAt(pixels, (view) => paintPicture(canvas, view, false));
   }
-  return new Promise((done, failed) =>
-    canvas.toBlob((blob) => (blob ? done(blob) : failed(new Error("the browser made no picture"))), "image/png"),
-  );
+  const blob = await new Promise<Blob | null>((done) => canvas.toBlob(done, "image/png"));
+  if (!blob) throw new Error("the browser made no picture");
+  return blob;
 }
 
 export const svgDocument = (title: string, width: number, height: number, dark: boolean, content: string): string =>
@@ -162,11 +155,11 @@ ${pen.content()}
 </svg>`;
 }
 
-export function svg(stage: Stage, title: string): string {
+export function svg(stage: Stage): string {
   const view = stage.view();
   const { width, height } = view.camera;
   const legend = new SvgPen();
   paintStrip(legend, view, height);
   const content = `${drawnLayers(stage)}\n${legend.content()}`;
-  return svgDocument(title, width, height + stripHeight(width, view.bars), view.dark, content);
+  return svgDocument(view.title, width, height + stripHeight(width, view.bars), view.dark, content);
 }

@@ -1,8 +1,22 @@
-/** The interpolated matrix: computed at every few pixels, and enlarged smoothly by the browser. */
-import { gelOnDark, gelOnLight, lookUp, type Rgb } from "../../colour";
-import type { ParticleScene } from "./shared";
-import { channels, contourEnds, coverage, leastShare, solidShare, type Patch } from "./resample";
+/** The matrix: the interpolated field, computed at every few pixels and enlarged smoothly by the browser, or a square for each particle. */
+import { css, gelOn, lookUp, type Rgb } from "../../colour";
+import type { Camera } from "../camera";
+import { between, solidFrom, type Film, type Place } from "../frames";
+import type { Layer } from "./layers";
+import { channels, contourEnds, coverage, leastShare, particleValue, solidShare, type Patch } from "./resample";
 import { hatchPeriod, hatchStrength, hatchWidth, isBright, type Scale } from "./scale";
+
+export interface MatrixScene {
+  place: Place;
+  layer: Layer;
+  scale: Scale;
+  camera: Camera;
+  dark: boolean;
+  /** The layer interpolated over what is seen; null: particles are drawn as squares. */
+  patch: Patch | null;
+  /** Pixels of the canvas in a pixel of the page. */
+  pixels: number;
+}
 
 /** Points at which the field is computed, about. */
 const mostPoints = 40000;
@@ -14,31 +28,26 @@ const ramp = ([from, to]: readonly [number, number], v: number): number =>
 const packed = (r: number, g: number, b: number, a: number): number =>
   ((a << 24) | (b << 16) | (g << 8) | r) >>> 0;
 
-interface Colouring {
-  /** The colour of a value, packed; for limits that nobody has set. */
-  plain: (value: number) => number;
-  /** Beyond limits that a person has set: a stripe of the hatching, or what is between stripes. */
-  rgb: (value: number, stripe: boolean) => Rgb;
-}
-
-function colouring({ low, high, map, hatched }: Scale): Colouring {
+function colouring({ low, high, map, hatched }: Scale) {
   const table = lookUp(map);
-  const colours = Uint32Array.from({ length: 256 }, (_, i) => packed(table[4 * i], table[4 * i + 1], table[4 * i + 2], 255));
+  const colours = Uint32Array.from(table, (rgb) => packed(...rgb, 255));
   const toPlace = 255 / (high - low);
   const indexOf = (place: number): number => (place > 255 ? 255 : place > 0 ? Math.round(place) : 0);
+  /** Beyond limits that a person has set: a stripe of the hatching, or what is between stripes. */
   const rgb = (value: number, stripe: boolean): Rgb => {
     const place = toPlace * (value - low);
-    const at = 4 * indexOf(place);
-    const [r, g, b] = [table[at], table[at + 1], table[at + 2]];
+    const [r, g, b] = table[indexOf(place)];
     if (!hatched || !stripe || !(place > 255.01 || place < -0.01)) return [r, g, b];
     const line = isBright(r, g, b) ? 0 : 255;
     const mixed = (v: number): number => v + hatchStrength * (line - v);
     return [mixed(r), mixed(g), mixed(b)];
   };
-  return { plain: (value) => colours[indexOf(toPlace * (value - low))], rgb };
+  /** Packed; for limits that nobody has set. */
+  const plain = (value: number): number => colours[indexOf(toPlace * (value - low))];
+  return { plain, rgb };
 }
 
-export function smoothPainter(context: CanvasRenderingContext2D): (scene: ParticleScene, patch: Patch) => void {
+function smoothPainter(context: CanvasRenderingContext2D): (scene: MatrixScene, patch: Patch) => void {
   const small = document.createElement("canvas");
   const inside = small.getContext("2d");
   let image: ImageData | null = null;
@@ -53,7 +62,7 @@ export function smoothPainter(context: CanvasRenderingContext2D): (scene: Partic
       image = inside.createImageData(width, height);
     }
     const out = new Uint32Array(image.data.buffer);
-    const ground = (dark ? gelOnDark : gelOnLight)[0];
+    const ground = gelOn(dark)[0];
     const { sums, columns } = patch;
     const contour = patch.contour === undefined ? null : contourEnds(patch.contour);
     const { plain, rgb } = colouring(scale);
@@ -113,5 +122,44 @@ export function smoothPainter(context: CanvasRenderingContext2D): (scene: Partic
     context.setTransform(pixels, 0, 0, pixels, 0, 0);
     context.imageSmoothingEnabled = true;
     context.drawImage(small, 0, 0, size * width, size * height);
+  };
+}
+
+/** Sides of the squares over their spacing: the degraded ones overlap and read as one area, the intact ones leave gaps in
+ *  which the deformation of the lattice shows, unless they are too small for gaps. */
+const fluidSize = 1.08;
+const intactSize = (spacingPixels: number): number => (spacingPixels < 4 ? 1.08 : 0.84);
+
+export function matrixPainter(canvas: HTMLCanvasElement, film: Film, spacing: number): (scene: MatrixScene) => void {
+  const context = canvas.getContext("2d");
+  if (!context) throw new Error("this browser cannot draw on a canvas");
+  const smooth = smoothPainter(context);
+
+  const paintSquares = ({ place, layer, scale, camera, dark, pixels }: MatrixScene): void => {
+    context.setTransform(pixels, 0, 0, pixels, 0, 0);
+    const colours = lookUp(scale.map).map(css);
+    const ground = css(gelOn(dark)[0]);
+    const spacingPixels = spacing * camera.scale;
+    const intact = intactSize(spacingPixels);
+    const seen = (at: number, size: number) => at >= -spacingPixels && at <= size + spacingPixels;
+    for (let i = 0; i < film.particles; ++i) {
+      const [x, y] = [between(film.x, place, 2 * i), between(film.x, place, 2 * i + 1)];
+      const [sx, sy] = [camera.toScreenX(x), camera.toScreenY(y)];
+      if (!seen(sx, camera.width) || !seen(sy, camera.height)) continue;
+      const f = between(film.f, place, i);
+      const side = spacingPixels * (fluidSize + f * (intact - fluidSize));
+      if (layer.solidOnly && f < solidFrom) context.fillStyle = ground;
+      else {
+        const fraction = (particleValue(film, layer, place, i, x, y) - scale.low) / (scale.high - scale.low);
+        context.fillStyle = colours[Math.round(255 * Math.min(1, Math.max(0, fraction)))];
+      }
+      context.fillRect(sx - 0.5 * side, sy - 0.5 * side, side, side);
+    }
+  };
+  return (scene) => {
+    context.setTransform(1, 0, 0, 1, 0, 0);
+    context.clearRect(0, 0, canvas.width, canvas.height);
+    if (scene.patch) smooth(scene, scene.patch);
+    else paintSquares(scene);
   };
 }
