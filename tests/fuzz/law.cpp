@@ -36,7 +36,7 @@ void evaluate(const matrigrate::Parameters& p, const matrigrate::Row& row) {
 /// The first line is a formula, the second one the constants: of a law of one variable, and of one of three.
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string text(reinterpret_cast<const char*>(data), size);
-  if (matrigrate::unreadable(text)) return 0; // no reader would give it
+  if (matrigrate::unreadable(text, "")) return 0; // no reader would give it
   const std::size_t line = text.find('\n');
   matrigrate::Parameters p;
   p.laws.curvature_factor = text.substr(0, line);

@@ -8,6 +8,7 @@
 #include "parameters/nearest.hpp"
 #include "parameters/presets.hpp"
 #include "parameters/read.hpp"
+#include "parameters/version.hpp"
 #include "study_plan/sweep.hpp"
 
 #include <fmt/format.h>
