@@ -449,7 +449,7 @@ std::span<const Row> schema() { return rows; }
 
 std::span<const Row> law_rows() {
   const auto first = std::ranges::find(rows, "laws", section_of);
-  return {first, std::ranges::find(first, rows.end(), "laws.constants", &Row::path)};
+  return {first, std::ranges::find(rows, "laws.constants", &Row::path)};
 }
 
 std::span<const Row> cell_rows() { return rows_of_cells; }

@@ -73,8 +73,8 @@ struct Part {
 
 template <class Range, class Test>
 auto find_if(Range&& range, Test test) {
-  auto at = range.begin();
-  for (const auto end = range.end(); at != end; ++at)
+  auto at = std::begin(range);
+  for (const auto end = std::end(range); at != end; ++at)
     if (invoke(test, *at)) break;
   return at;
 }
