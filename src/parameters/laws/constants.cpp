@@ -12,7 +12,6 @@
 #include <cmath>
 #include <limits>
 #include <memory>
-#include <ranges>
 #include <stdexcept>
 #include <utility>
 
@@ -156,8 +155,9 @@ double in_formulas(const LawConstant& constant) {
 std::string text_of(const LawConstant& constant) { return fmt::format("{} = {}", constant.name, value_of(constant)); }
 
 std::string constants_text(const Parameters& p) {
-  const auto text = [](const LawConstant& constant) { return text_of(constant); };
-  return fmt::format("{}", fmt::join(p.laws.constants | std::views::transform(text), ", "));
+  std::string text;
+  for (const LawConstant& constant : p.laws.constants) text += (text.empty() ? "" : ", ") + text_of(constant);
+  return text;
 }
 
 std::string constants_table(const Parameters& p) {
