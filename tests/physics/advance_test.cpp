@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <thread>
 
 using namespace matrigrate;
 
@@ -38,6 +39,19 @@ State pulled(const Parameters& p, int steps, bool fresh_workspace_half_way = fal
 }
 
 } // namespace
+
+// A load may be a function of Python, which holds its lock on the thread that calls.
+TEST(Advance, CallsLoadsOnTheThreadOfTheCaller) {
+  const ThreadLimit threads(4);
+  const Parameters p = small();
+  State s = start(p);
+  Workspace w(s, p);
+  const std::thread::id caller = std::this_thread::get_id();
+  int here = 0;
+  const Loads load = [&](const State&, std::span<Vec2>) { here += std::this_thread::get_id() == caller ? 1 : 0; };
+  for (int k = 0; k < 50; ++k) advance(s, p, p.run.time_step, w, load);
+  EXPECT_EQ(here, 50);
+}
 
 TEST(Advance, AGelAtRestStaysAtRest) {
   const Parameters p = small();

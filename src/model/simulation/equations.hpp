@@ -9,7 +9,8 @@
 /// step [s].
 namespace matrigrate {
 
-/// Forces from outside the model, added to the forces of the particles [nN]: loads of verification cases.
+/// Forces from outside the model, added to the forces of the particles [nN]: loads of verification cases, or of Python.
+/// advance() calls them on the thread of its caller. Test: tests/physics/advance_test.cpp
 using Loads = std::function<void(const State&, std::span<Vec2>)>;
 
 /// Updates neighbours, shapes and surroundings at x(t), and makes A v = F of the two momentum balances, but for the

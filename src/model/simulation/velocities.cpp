@@ -113,8 +113,11 @@ void extrapolate_velocities(const State& s, Workspace& w) {
 
 std::optional<StepTooLong> solve_velocities(State& s, const Parameters& p, double dt, Workspace& w, const Loads& loads,
                                             const StepBounds& bounds) {
-  w.health.solve = w.solver->solve(
-      w.drag, [&] { complete_forces(s, p, w, loads); }, w.v);
+  if (loads) complete_forces(s, p, w, loads); // they may be the caller's code, which stays on its thread
+  const auto find_F = [&] {
+    if (!loads) complete_forces(s, p, w, {});
+  };
+  w.health.solve = w.solver->solve(w.drag, find_F, w.v);
   require_solved(s, p, w.health.solve);
   std::optional<StepTooLong> further, crossed;
   side_by_side({[&] { further = too_far(s, dt, w.limits, w.v, bounds.max_move); },
