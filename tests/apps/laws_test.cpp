@@ -70,8 +70,8 @@ TEST_F(LawsOfScenarios, InOtherWordsAreTheSameRun) {
 
 // Constants whose names came to be those of arguments after 0.3.0.
 TEST_F(LawsOfScenarios, OfTheEarlierVersionAreTheSameRun) {
-  const auto ended = [&](const std::string& folder, const std::string& x, const std::string& speed) {
-    return run("run cell.toml -o " + folder
+  const auto ended = [&](const std::string& into, const std::string& x, const std::string& speed) {
+    return run("run cell.toml -o " + into
                + " --quiet --set run.duration='0.002 h' --set 'laws.growth_force=max(0, 1 - l/" + x + ")*" + speed
                + "' --set 'laws.constants=" + speed + " = 0.8, " + x + " = 25 um'");
   };

@@ -238,10 +238,10 @@ TEST(Movies, WithoutAColumnAreRefused) {
             "f: after 540 s all 4 tracks that go on leap, by 197 to 203 um (the usual step is 3 um): another movie "
             "begins. Tell movies apart by a column, {columns group=NAME}, or read each by itself; {columns "
             "group=none} if these are the same cells");
-  TrackOptions none = by_minute;
-  none.columns.group = {"none"};
+  TrackOptions same_cells = by_minute;
+  same_cells.columns.group = {"none"};
   EXPECT_EQ(
-      of_text(table({}), none).notes.back(),
+      of_text(table({}), same_cells).notes.back(),
       "after 540 s all 4 tracks that go on leap, by 197 to 203 um (the usual step is 3 um): is it another movie?");
   const Tracks paused = of_text(table({.begin = 50}), by_minute);
   EXPECT_NE(paused.notes.back().find("is it another movie?"), std::string::npos) << "after a pause it is only likely";
@@ -435,8 +435,8 @@ TEST(MTrackJ, TracksOfClusters) {
 }
 
 TEST(TrackRows, EachFaultHasItsLine) {
-  const std::string head = "track,t_s,x_um,y_um,dummy\n1,0,0,0,False\n";
-  EXPECT_EQ(faults(head + "1,60,1_000,0,False\n1,120,1,0x1,False\n1,180,1,1,maybe\n1,240,1\n1,300,\"1,1,1\n", few()),
+  const std::string columns = "track,t_s,x_um,y_um,dummy\n1,0,0,0,False\n";
+  EXPECT_EQ(faults(columns + "1,60,1_000,0,False\n1,120,1,0x1,False\n1,180,1,1,maybe\n1,240,1\n1,300,\"1,1,1\n", few()),
             "f:3:1: x_um: \"1_000\" is no finite number\nf:4:1: y_um: \"0x1\" is no finite number\n"
             "f:5:1: dummy: \"maybe\" is neither true nor false\nf:6:1: has 3 fields, the header 5\n"
             "f:7:1: has a quote that is not closed");
