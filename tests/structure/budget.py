@@ -12,7 +12,7 @@ budget = {
     "src/statistics": 690,
     "src/tracks": 3822,
     "src/parameters": 5704,
-    "src/model": 11210,
+    "src/model": 11214,
     "src/run": 9841,
     "src/validation": 2591,
     "src/study": 7156,
