@@ -89,9 +89,9 @@ Json health_json(std::string_view text) {
   Json list = Json::array();
   for (const auto& [column, meaning, ratio] : signs) {
     double worst = undefined;
-    const auto see = [&](const std::string& name) {
+    const auto see = [&, of_one = ratio](const std::string& name) {
       if (table.columns.empty()) return; // a page without results
-      for (const double value : table.column(name)) worst = std::fmax(worst, ratio ? std::abs(value - 1.0) : value);
+      for (const double value : table.column(name)) worst = std::fmax(worst, of_one ? std::abs(value - 1.0) : value);
     };
     see(column);
     if (std::string_view(column) == "density_max") see("density_min");
