@@ -29,6 +29,7 @@ using Positions = py::array_t<double, py::array::c_style | py::array::forcecast>
 
 /// The positions that are there.
 tracks::Track track_of(const Positions& positions) {
+  if (positions.ndim() != 2 || positions.shape(1) != 2) throw py::value_error("positions must have the shape (n, 2)");
   const auto at = positions.unchecked<2>();
   tracks::Track track;
   for (py::ssize_t k = 0; k < at.shape(0); ++k) {

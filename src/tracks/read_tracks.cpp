@@ -317,7 +317,9 @@ void fill(const Text& text, const TrackOptions& options, Tracks& tracks, Finding
 
 } // namespace
 
-double Tracks::first() const { return std::ranges::min_element(tracks, {}, &Track::start)->start; }
+double Tracks::first() const {
+  return tracks.empty() ? 0.0 : std::ranges::min_element(tracks, {}, &Track::start)->start;
+}
 
 std::size_t Tracks::offset(const Track& track, double first) const {
   return static_cast<std::size_t>(std::llround((track.start - first) / interval));

@@ -31,7 +31,7 @@ struct Tracks : Understood {
   double interval = 1.0;          ///< between positions [s]
   std::vector<std::string> notes; ///< what was left out or decided, one sentence each
 
-  double first() const; ///< start of the first track [s]
+  double first() const; ///< start of the first track [s]; 0 if there is none
   /// Intervals from `first` [s] to the start of a track.
   std::size_t offset(const Track& track, double first) const;
   std::size_t positions() const;

@@ -61,6 +61,10 @@ class RunsFromPython(common.InTemporaryFolder):
         self.assertIn("did you mean run.duration?", str(caught.exception))
         self.assertNotIn("/tmp", str(caught.exception))
         self.assertFalse((self.folder / "run").exists())
+        (self.folder / "None").write_text("[ecm]\nradius = \"6 um\"\n")
+        with self.assertRaises(matrigrate.ConfigurationError) as caught:
+            matrigrate.run("None", out="run")
+        self.assertEqual([(fault.file, fault.line) for fault in caught.exception.faults], [("None", 2)])
 
     def test_other_failures(self):
         with self.assertRaisesRegex(matrigrate.NumericalError, "clamped rim") as caught:

@@ -1,6 +1,7 @@
 """Files of tracks as people have them: cases from laboratories, the layouts of other programs (tests/layouts), read-outs beside
 those of the program."""
 import csv
+import decimal
 import json
 import math
 import pathlib
@@ -259,6 +260,11 @@ class Arguments(common.InTemporaryFolder):
             with self.subTest(told), self.assertRaises(matrigrate.ConfigurationError) as caught:
                 tracks.read("plain.csv", **told)
             self.assertNotIn("--", str(caught.exception))
+        half = tracks.read("plain.csv", pixel=0.5)
+        for other in (np.array([[0.5]]), decimal.Decimal("0.5")):  # as files of other programs give it
+            self.assertEqual(tracks.read("plain.csv", pixel=other).notes, half.notes)
+        with self.assertRaisesRegex(TypeError, "pixel is of the type ndarray; a number is expected"):
+            tracks.read("plain.csv", pixel=np.array([0.5, 1.0]))
 
     def test_a_calibration_can_be_overruled(self):
         (self.folder / "spots.csv").write_text(layouts.trackmate("(micron)", "(sec)", 1.0))

@@ -146,6 +146,9 @@ class Files(common.InTemporaryFolder):
         np.testing.assert_allclose(tracks.Tracks(gaps, 120.0, []).without_drift()["long"][:60], still["long"])
         with self.assertRaisesRegex(matrigrate.ConfigurationError, "at no time 5 of 4 tracks"):
             tracks.Tracks({str(k): walk for k in range(4)}, 120.0, []).without_drift()
+        np.testing.assert_array_equal(tracks.Tracks({}, 120.0, []).drift(), [[0, 0]])
+        with self.assertRaisesRegex(ValueError, r"positions must have the shape \(n, 2\)"):
+            tracks.Tracks({"x alone": walk[:, :1]}, 120.0, []).drift()
 
 
 class Frames(unittest.TestCase):

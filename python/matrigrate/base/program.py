@@ -131,7 +131,7 @@ def faults_of(words: str, hidden: Path | None) -> list[Fault]:
         match = _fault_line.fullmatch(line)
         assert match is not None  # the last group takes anything
         file = match["file"] or ""
-        place = () if file == str(hidden) else (file, int(match["line"] or 0), int(match["column"] or 0))
+        place = () if file == str(hidden or "") else (file, int(match["line"] or 0), int(match["column"] or 0))
         faults.append(Fault(match["key"] or "", match["message"], *place))
     return faults
 

@@ -17,7 +17,7 @@ from collections import Counter
 from collections.abc import Mapping, Sequence
 from functools import cache, cached_property
 from itertools import combinations
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, SupportsFloat
 
 import numpy as np
 
@@ -288,7 +288,7 @@ def _column(key: str, value: Any) -> str:
 
 
 def _number(name: str, value: Any, whole: bool) -> float:
-    if isinstance(value, bool) or not isinstance(value, numbers.Real):
+    if isinstance(value, bool) or not isinstance(value, SupportsFloat) or np.size(value) != 1:
         raise arguments.wrong(name, value, "a whole number" if whole else "a number")
     number = float(value)
     if whole and (number < 1 or not number.is_integer()):
