@@ -149,14 +149,14 @@ public:
     return fmt::format("failed at {:.6g} s: {}", state().t, m_simulation.failure->what());
   }
 
-  /// Forces from Python, added in each step: called with the simulation, returns forces on the nodes [nN] or None.
+  /// Functions of Python that are called in each step, and return forces on the nodes [nN] or None; each may be None.
   void set_force(py::object matrix, py::object cells) {
     m_matrix_force = std::move(matrix);
     m_cell_force = std::move(cells);
   }
 
-  /// Propensity of initiation from Python: called with simulation and cell, returns a factor for each particle of that
-  /// cell's cortex [-] or None.   @param every  steps between two calls
+  /// Propensity of initiation from Python: a function of the number of a cell that returns a factor for each particle
+  /// of its cortex [-] or None.   @param every  steps between two calls
   void set_cue(py::object cue, std::uint64_t every) {
     m_cue = std::move(cue);
     m_cue_every = every;
@@ -166,7 +166,7 @@ public:
   /// @param max_steps  ends after so many, whatever t_end
   /// @throws std::runtime_error  where a march of this simulation is under way: a function of the user's, or another
   /// thread, called it
-  void march_to(const py::object& self, double t_end, const py::object& each, std::uint64_t max_steps) {
+  void march_to(double t_end, const py::object& each, std::uint64_t max_steps) {
     if (m_marching) throw std::runtime_error(std::string("advance and step cannot be called ") + while_it_computes);
     const Set marching(m_marching);
     using Clock = std::chrono::steady_clock;
@@ -175,22 +175,22 @@ public:
     const double last_start = t_end - 0.5 * shortest_step(parameters()); // as march() has it
     Loads loads;
     if (!m_matrix_force.is_none() || !m_cell_force.is_none())
-      loads = [&](const State& s, std::span<Vec2> forces) { add_forces(self, s, forces); };
+      loads = [this](const State& s, std::span<Vec2> forces) { add_forces(s, forces); };
     const auto each_step = [&](const State& s) {
       if (is_ending && std::this_thread::get_id() != ending_thread) wait_for_the_end();
       see();
       const bool goes_on = ++done < max_steps;
       if (Clock::now() >= next) {
         next = Clock::now() + std::chrono::milliseconds(100);
-        tell(self, each);
+        tell(each);
       }
-      if (goes_on && s.t < last_start) ask_cue(self);
+      if (goes_on && s.t < last_start) ask_cue();
       return goes_on;
     };
     const Set computing(m_computing);
     Unlocked unlocked;
     m_unlocked = &unlocked;
-    if (state().t < last_start) ask_cue(self);
+    if (state().t < last_start) ask_cue();
     m_simulation.march(t_end, loads, each_step);
   }
 
@@ -246,21 +246,21 @@ private:
   }
 
   /// Ctrl-C, and what the user wants to be told.
-  void tell(const py::object& self, const py::object& each) {
+  void tell(const py::object& each) {
     with_python([&] {
       if (PyErr_CheckSignals() != 0) throw py::error_already_set();
-      if (!each.is_none()) each(self);
+      if (!each.is_none()) each();
     });
   }
 
   /// The propensities of the next step, where new ones are due.
-  void ask_cue(const py::object& self) {
+  void ask_cue() {
     if (m_cue.is_none()) return;
     if (!m_simulation.w.propensity.empty() && state().step < m_cued_at + m_cue_every) return;
     with_python([&] {
       std::vector<std::vector<double>> propensity;
       for (std::size_t k = 0; k < state().cells.size(); ++k)
-        propensity.push_back(factors(m_cue(self, k), state().cells[k].cortex.size()));
+        propensity.push_back(factors(m_cue(k), state().cells[k].cortex.size()));
       m_simulation.w.propensity = std::move(propensity);
       m_cued_at = state().step;
     });
@@ -305,11 +305,11 @@ private:
     }
   }
 
-  void add_forces(const py::object& self, const State& s, std::span<Vec2> forces) {
+  void add_forces(const State& s, std::span<Vec2> forces) {
     with_python([&] {
       const std::size_t matrix = s.ecm.size();
-      if (!m_matrix_force.is_none()) add(m_matrix_force(self), forces.subspan(0, matrix), "force");
-      if (!m_cell_force.is_none()) add(m_cell_force(self), forces.subspan(matrix), "cell_force");
+      if (!m_matrix_force.is_none()) add(m_matrix_force(), forces.subspan(0, matrix), "force");
+      if (!m_cell_force.is_none()) add(m_cell_force(), forces.subspan(matrix), "cell_force");
     });
   }
 
@@ -411,13 +411,8 @@ PYBIND11_MODULE(_core, module) {
   py::class_<SteppedSimulation>(module, "Simulation")
       .def(py::init<const std::string&, const std::string&, const std::vector<std::string>&>())
       .def("march_to",
-           [](const py::object& self, double t_end, const py::object& each) {
-             self.cast<SteppedSimulation&>().march_to(self, t_end, each, all_steps);
-           })
-      .def("step",
-           [](const py::object& self) {
-             self.cast<SteppedSimulation&>().march_to(self, std::numeric_limits<double>::infinity(), py::none(), 1);
-           })
+           [](SteppedSimulation& s, double t_end, const py::object& each) { s.march_to(t_end, each, all_steps); })
+      .def("step", [](SteppedSimulation& s) { s.march_to(std::numeric_limits<double>::infinity(), py::none(), 1); })
       .def("set_force", &SteppedSimulation::set_force)
       .def("set_cue", &SteppedSimulation::set_cue)
       .def("trajectory_hash", &SteppedSimulation::trajectory_hash)

@@ -76,15 +76,11 @@ std::vector<Positions> positions_of(const tracks::Tracks& all) {
   return list;
 }
 
-/// The drift [um], one row an interval from the first start [s] on.
-Positions drift_of(const std::vector<Positions>& positions, const std::vector<double>& starts, double interval) {
-  const tracks::Drift drift = tracks::drift_of(tracks_of(positions, starts, interval));
-  Positions path({static_cast<py::ssize_t>(drift.x.size()), py::ssize_t{2}});
-  for (py::ssize_t k = 0; k < path.shape(0); ++k) {
-    path.mutable_at(k, 0) = drift.x[static_cast<std::size_t>(k)];
-    path.mutable_at(k, 1) = drift.y[static_cast<std::size_t>(k)];
-  }
-  return path;
+/// x and y of the drift [um] at each interval from the first start [s] on.
+std::pair<std::vector<double>, std::vector<double>> drift_of(const std::vector<Positions>& positions,
+                                                             const std::vector<double>& starts, double interval) {
+  tracks::Drift drift = tracks::drift_of(tracks_of(positions, starts, interval));
+  return {std::move(drift.x), std::move(drift.y)};
 }
 
 std::pair<std::vector<Positions>, std::string> without_drift(const std::vector<Positions>& positions,
@@ -160,10 +156,6 @@ py::tuple read_tracks(const std::string& file, const std::optional<std::string>&
   return py::make_tuple(all.interval, all.notes, names, starts, positions_of(all));
 }
 
-py::array_t<double> array_of(const std::vector<double>& values) {
-  return py::array_t<double>(static_cast<py::ssize_t>(values.size()), values.data());
-}
-
 } // namespace
 
 void add_tracks(py::module_& module) {
@@ -184,7 +176,7 @@ void add_tracks(py::module_& module) {
       .def("readouts", [](const tracks::TrackParts& parts, double error) { return parts.readouts(error); })
       .def("drawn", &tracks::TrackParts::drawn)
       .def("buried", &tracks::TrackParts::buried)
-      .def("msd", [](const tracks::TrackParts& parts) { return array_of(parts.msd()); });
+      .def("msd", [](const tracks::TrackParts& parts) { return parts.msd(); });
 }
 
 } // namespace matrigrate

@@ -162,12 +162,12 @@ class Simulation:
         me = weakref.ref(self)  # a cycle through the compiled object would never be freed
 
         def with_me(what: str, function: Callable[[Simulation], Floats | None] | None
-                    ) -> Callable[[object], Floats | None] | None:
-            return None if function is None else lambda _: _unmasked(what, function(_alive(me)))
+                    ) -> Callable[[], Floats | None] | None:
+            return None if function is None else lambda: _unmasked(what, function(_alive(me)))
 
         self._core.set_force(with_me("force", force), with_me("cell_force", cell_force))
         self._core.set_cue(None if cue is None else
-                           lambda _, k: _unmasked("cue", cue(_alive(me), _alive(me).cells[k])), int(cue_every))
+                           lambda k: _unmasked("cue", cue(_alive(me), _alive(me).cells[k])), int(cue_every))
         self._name = name
         self.matrix = Matrix(self._core)  #: the particles of the matrix
         self.cells: list[Cell] = [Cell(self._core, k) for k in range(self._core.cell_count)]  #: the cells, in the order of the scenario
@@ -244,7 +244,7 @@ class Simulation:
             _require_time(name, value, unit)
         arguments.function("progress", progress)
         end = self.t + 3600.0 * hours if hours is not None else until if until is not None else self.duration
-        self._core.march_to(float(end), None if progress is None else lambda _: progress(self))
+        self._core.march_to(float(end), None if progress is None else lambda: progress(self))
 
 
 def _alive(me: weakref.ref[Simulation]) -> Simulation:

@@ -35,8 +35,11 @@ def evenly(times: np.ndarray[Any, Any]) -> tuple[int, float]:
 class Field:
     """One array of fields.h5. Indexing reads it: ``field[-1]`` is the last frame."""
 
-    def __init__(self, file: Path, name: str, shape: tuple[int, ...], dtype: np.dtype[Any], units: str) -> None:
-        self._file, self.name, self.shape, self.dtype, self.units = file, name, shape, dtype, units
+    def __init__(self, file: Path, data: Any) -> None:
+        """:param data: of h5py, as long as the file is open"""
+        units = data.attrs.get("units", "1")
+        self._file, self.name, self.shape, self.dtype = file, data.name.lstrip("/"), data.shape, data.dtype
+        self.units = units.decode() if isinstance(units, bytes) else str(units)
 
     def __getitem__(self, index: Any) -> Any:
         with _opened(self._file) as file:
@@ -69,7 +72,7 @@ class Fields(Mapping[str, Field]):
             try:
                 self.times: np.ndarray[Any, Any] = opened["time"][:]
                 """Simulated time of each frame [s]."""
-                self._fields = {f"{group}/{name}": _field(self.file, opened[group][name])
+                self._fields = {f"{group}/{name}": Field(self.file, opened[group][name])
                                 for group in (*_bodies, *_sparse) if group in opened for name in opened[group]}
             except (KeyError, AttributeError, TypeError, ValueError):
                 raise InputOutputError(f"{self.file}: is no file of frames of this program", self.file.parent) from None
@@ -183,9 +186,3 @@ def _opened(path: Path) -> Iterator[Any]:
         raise
     except (OSError, RuntimeError) as error:
         raise InputOutputError(f"{path}: is damaged: {error}", path.parent) from None
-
-
-def _field(path: Path, data: Any) -> Field:
-    units = data.attrs.get("units", "1")
-    return Field(path, data.name.lstrip("/"), data.shape, data.dtype,
-                 units.decode() if isinstance(units, bytes) else str(units))

@@ -115,7 +115,7 @@ class Tracks(Mapping[str, Any]):
         """Mean step of the tracks that go on at each time, summed up [um], a row an interval from the first start on: the drift of the
         stage, if cells have no common direction of their own. With n tracks its error is their mean step over the root of n; where fewer
         than five go on there is none."""
-        return np.asarray(core().drift(list(self.values()), list(self._starts.values()), self.interval))
+        return np.column_stack(core().drift(list(self.values()), list(self._starts.values()), self.interval))
 
     def without_drift(self) -> Tracks:
         """The tracks less ``drift()``. It takes a common direction of the cells away, too.
@@ -163,7 +163,7 @@ class Tracks(Mapping[str, Any]):
 
     def msd(self) -> pandas.DataFrame:
         """Mean square displacement of all tracks: ``lag_s``, ``msd_um2``."""
-        square = self._parts.msd()
+        square = np.array(self._parts.msd())
         return require_pandas().DataFrame({"lag_s": self.interval * np.arange(1, len(square) + 1), "msd_um2": square})
 
     def pairs(self) -> pandas.DataFrame:
