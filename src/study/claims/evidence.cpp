@@ -115,12 +115,14 @@ MsdCurves run_msd(const Study& study, const std::vector<Result>& results,
   RowsByRun all;
   for (const std::filesystem::path& file : tables)
     if (std::filesystem::exists(file))
-      naming(file, [&] { all.merge(rows_by_run(read_file(file, largest_table), {"t_s", "x_um", "y_um"})); });
+      naming(file, [&] {
+        all.merge(rows_by_run(read_file(file, largest_table), {"t_s", "x_um", "y_um", "replicate"}));
+      });
   MsdCurves curves;
   for (const Result& r : results) {
     std::map<double, std::vector<TrackRow>> paths; // of the cells
     for (const std::vector<double>& row : all[{study.points[r.run.point].label, fmt::to_string(r.run.replicate)}]) {
-      TrackRow& at = paths[row.size() > 3 ? row[3] : 1.0].emplace_back();
+      TrackRow& at = paths[row.size() > 4 ? row[4] : 1.0].emplace_back();
       at.t = row[0];
       at.centre = {row[1], row[2]};
     }

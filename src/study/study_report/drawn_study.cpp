@@ -247,10 +247,13 @@ Json msd_json(const std::vector<MeanMsd>& means, const Json& place) {
 }
 
 Json drawn_study(const Study& study, const std::vector<Result>& results, const CurveTables& tables) {
-  const RowsByRun paths = rows_by_run(tables.paths, {"x_um", "y_um"});
-  const RowsByRun shapes = rows_by_run(tables.shapes, {"x_um", "y_um"});
-  const RowsByRun adhesions = rows_by_run(tables.adhesions, {"f_adh_rel"});
-  RowsByRun msds = rows_by_run(tables.msd, {"lag_s", "msd_um2", "sem_um2", "n_runs"});
+  const auto rows = [](const char* name, const std::string& table, const std::vector<std::string_view>& columns) {
+    return table.empty() ? RowsByRun() : naming(name, [&] { return rows_by_run(table, columns); });
+  };
+  const RowsByRun paths = rows("paths.csv", tables.paths, {"x_um", "y_um"});
+  const RowsByRun shapes = rows("shapes.csv", tables.shapes, {"x_um", "y_um"});
+  const RowsByRun adhesions = rows("adhesions.csv", tables.adhesions, {"f_adh_rel"});
+  RowsByRun msds = rows("msd.csv", tables.msd, {"lag_s", "msd_um2", "sem_um2", "n_runs"});
   const std::vector<Json> place = places(study);
   Json data{{"title", study.title}};
   data.update(compared_json(study, results, comparisons(study, results)));

@@ -149,20 +149,20 @@ private:
 } // namespace
 
 RowsByRun rows_by_run(std::string_view csv, const std::vector<std::string_view>& columns) {
-  RowsByRun all;
-  if (csv.empty()) return all;
   const store::CsvTable table = store::read_csv(csv);
-  const auto point = table.column("point"), replicate = table.column("replicate"), cell = table.column("cell");
+  const auto column = [&](std::string_view name) {
+    if (const auto found = table.column(name)) return *found;
+    throw InputOutputError(fmt::format("has no column {}", name));
+  };
+  const std::size_t point = column("point");
+  const auto replicate = table.column("replicate"), cell = table.column("cell");
   std::vector<std::size_t> wanted;
-  for (const std::string_view column : columns) {
-    const auto found = table.column(column);
-    if (!found || !point) throw InputOutputError(fmt::format("a table of a study has no column {}", column));
-    wanted.push_back(*found);
-  }
+  for (const std::string_view name : columns) wanted.push_back(column(name));
   if (cell) wanted.push_back(*cell);
+  RowsByRun all;
   for (const std::vector<std::string>& fields : table.rows) {
-    std::vector<double>& row = all[{fields[*point], replicate ? fields[*replicate] : ""}].emplace_back();
-    for (const std::size_t column : wanted) row.push_back(store::csv_number(fields[column]));
+    std::vector<double>& row = all[{fields[point], replicate ? fields[*replicate] : ""}].emplace_back();
+    for (const std::size_t one : wanted) row.push_back(store::csv_number(fields[one]));
   }
   return all;
 }

@@ -438,8 +438,10 @@ TEST(RunMsd, TakesTheFirstTableThatHasARun) {
   EXPECT_TRUE(msd[2].empty());
   write_file(folder / "cells.csv", "replicate,t_s,x_um,y_um,cell,point\n" + path(1, 1.0, "1,") + path(1, 3.0, "2,"));
   EXPECT_NEAR(run_msd(study, results, {folder / "cells.csv"})[0][0].msd, 5.0, 1e-12); // mean of 1 and 9
-  write_file(folder / "bad.csv", "replicate,t_s,x_um,point\n");
-  EXPECT_THROW(run_msd(study, results, {folder / "bad.csv"}), InputOutputError);
+  for (const char* bad : {"replicate,t_s,x_um,point\n", "replicate,t_s,x_um,y_um\n", "t_s,x_um,y_um,point\n", ""}) {
+    write_file(folder / "bad.csv", bad);
+    EXPECT_THROW(run_msd(study, results, {folder / "bad.csv"}), InputOutputError) << bad;
+  }
 }
 
 } // namespace
