@@ -176,7 +176,7 @@ int reproduce(const ReproduceOptions& options) {
       rows, all.evidence, options,
       {.page_template = verdicts_page_template(), .setting = setting, .command = options.command});
   if (options.json)
-    print_as_json({{"setting", setting}, {"as_published", as_published(options)}, {"rows", study::claims_json(rows)}});
+    print_json({{"setting", setting}, {"as_published", as_published(options)}, {"rows", study::claims_json(rows)}});
   else
     print(reproduction_text(rows) + reproduction_table(rows, all.evidence) + setting + "\n"
           + fmt::format("open {}/report-{}.html\n", options.folder, options.id));

@@ -114,14 +114,10 @@ std::string remarks_text(const std::vector<study::Comparison>& comparisons) {
 
 } // namespace
 
-void print_as_json(const nlohmann::ordered_json& json) {
-  print(json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
-}
-
 int print_plan(const StudyFolder& study, int jobs, bool json) {
   const study::StudyCost c = study::cost(study);
   if (json) {
-    print_as_json(to_json(study, c, jobs));
+    print_json(to_json(study, c, jobs));
     return done;
   }
   const std::size_t n = study.study.points.size();

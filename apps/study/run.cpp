@@ -78,13 +78,13 @@ void print_doubts(const StudyFolder& study, const std::vector<study::Result>& re
 void print_outcome(const StudyOptions& options, const StudyFolder& study, const PoolOutcome& outcome,
                    const std::vector<study::Result>& results) {
   if (options.json)
-    return print_as_json({{"folder", study.folder.string()},
-                          {"runs", study.runs.size()},
-                          {"done", outcome.done_before + outcome.done_now},
-                          {"done_now", outcome.done_now},
-                          {"exit_code", exit_code(outcome)},
-                          {"ended_at_rim", std::ranges::count_if(results, study::ended_at_rim)},
-                          {"not_done", to_json(study, outcome.troubles)}});
+    return print_json({{"folder", study.folder.string()},
+                       {"runs", study.runs.size()},
+                       {"done", outcome.done_before + outcome.done_now},
+                       {"done_now", outcome.done_now},
+                       {"exit_code", exit_code(outcome)},
+                       {"ended_at_rim", std::ranges::count_if(results, study::ended_at_rim)},
+                       {"not_done", to_json(study, outcome.troubles)}});
   const std::string list = troubles_text(study, outcome.troubles);
   if (!list.empty()) options.quiet ? print_error(list) : print(list);
   print_doubts(study, results);
@@ -225,17 +225,17 @@ int show_status(const StudyOptions& options) {
     ++count[std::string(to_string(s.status))];
   }
   if (options.json) {
-    print_as_json({{"folder", options.folder},
-                   {"runs", study.runs.size()},
-                   {"count", count},
-                   {"running", to_json<study::RunningRun>(
-                                   study, progress.running,
-                                   [](const auto& r) -> Json {
-                                     return {{"share", r.share}, {"left_s", r.left ? Json(*r.left) : Json()}};
-                                   })},
-                   {"left_s", progress.left ? Json(*progress.left) : Json()},
-                   {"builds", programs_of(done_runs)},
-                   {"not_done", to_json(study, troubles)}});
+    print_json({{"folder", options.folder},
+                {"runs", study.runs.size()},
+                {"count", count},
+                {"running",
+                 to_json<study::RunningRun>(study, progress.running,
+                                            [](const auto& r) -> Json {
+                                              return {{"share", r.share}, {"left_s", r.left ? Json(*r.left) : Json()}};
+                                            })},
+                {"left_s", progress.left ? Json(*progress.left) : Json()},
+                {"builds", programs_of(done_runs)},
+                {"not_done", to_json(study, troubles)}});
     return done;
   }
   print(fmt::format("{} runs:", study.runs.size()));
@@ -256,12 +256,12 @@ int collect_study(const StudyOptions& options) {
     for (const char* name : {"paths.csv", "msd.csv", "adhesions.csv"})
       if (std::filesystem::exists(study.folder / name)) files.push_back(name);
     if (!collected.claims.empty()) files.push_back("claims.csv");
-    print_as_json({{"folder", options.folder},
-                   {"runs", study.runs.size()},
-                   {"done", finished},
-                   {"ended_at_rim", std::ranges::count_if(collected.results, study::ended_at_rim)},
-                   {"files", files},
-                   {"damaged", to_json(study, damaged.troubles)}});
+    print_json({{"folder", options.folder},
+                {"runs", study.runs.size()},
+                {"done", finished},
+                {"ended_at_rim", std::ranges::count_if(collected.results, study::ended_at_rim)},
+                {"files", files},
+                {"damaged", to_json(study, damaged.troubles)}});
     return exit_code(damaged);
   }
   if (!options.quiet) print(collected_text(study, collected));

@@ -229,7 +229,7 @@ std::string submitted(const SlurmOptions& options, const std::filesystem::path& 
 void print_job(const SubmitOptions& options, const StudyFolder& study, const std::string& job, std::size_t runs,
                std::size_t tasks) {
   if (options.study.json)
-    return print_as_json({{"folder", study.folder.string()}, {"job", job}, {"runs", runs}, {"tasks", tasks}});
+    return print_json({{"folder", study.folder.string()}, {"job", job}, {"runs", runs}, {"tasks", tasks}});
   if (runs == 0) return print("nothing to submit: every run is done\n");
   print(fmt::format("job {}: {} runs in {} tasks; `matrigrate study status {}` shows how far it is\n", job, runs, tasks,
                     study.folder.string()));

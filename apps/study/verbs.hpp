@@ -4,8 +4,6 @@
 #include "study_report/study_files.hpp"
 #include "study_runs/pool.hpp"
 
-#include <nlohmann/json_fwd.hpp>
-
 #include <string>
 #include <vector>
 
@@ -80,8 +78,6 @@ PoolOutcome compute(const StudyFolder& study, const std::vector<std::size_t>& ru
                     bool quiet);
 
 int exit_code(const PoolOutcome& outcome);
-
-void print_as_json(const nlohmann::ordered_json& json);
 
 /// Every run that is not done, with its reason: "failed  50 Pa, replicate 3 (0123...): reason".
 std::string troubles_text(const StudyFolder& study, const std::vector<study::Trouble>& troubles);
