@@ -34,13 +34,19 @@ namespace {
 
 using Json = nlohmann::ordered_json; // NaN is written as null
 
+/// The command that computes the study again, from the file in its folder.
+std::string command_of(const StudyFolder& study) {
+  const std::filesystem::path name = full_path(study.folder).filename();
+  return run::command_text({"matrigrate", "study", "run", (name / "study.resolved.toml").string()});
+}
+
 /// Where a point has enough runs.
-Json correlation_json(const StudyReport& report) {
+Json correlation_json(const Study& study, const std::vector<Result>& results) {
   std::map<std::size_t, std::size_t> runs; // at each point
   std::size_t most = 0;
-  for (const Result& r : report.results)
+  for (const Result& r : results)
     if (r.standing.done()) most = std::max(most, ++runs[r.run.point]);
-  const Correlations found = correlations(report.study, report.results);
+  const Correlations found = correlations(study, results);
   if (most < least_runs || found.readouts.size() < 2) return {};
   Json r = Json::array(), p = Json::array(), n = Json::array();
   for (const auto& row : found.pairs) {
@@ -56,20 +62,20 @@ Json correlation_json(const StudyReport& report) {
 
 /// Read-outs over factors where the points are no grid: values of numbers in the unit of their row, one a point, and
 /// for each read-out Spearman's correlation of the means of points, with p after Holm over all of them.
-Json scatter_json(const StudyReport& report) {
-  const Json axes = axes_json(report.study);
+Json scatter_json(const Study& study, const std::vector<Result>& results) {
+  const Json axes = axes_json(study);
   if (axes.empty() || (axes.at(0).at("name") != "point" && axes.at(0).at("name") != "factors")) return {};
-  const std::vector<ReadOutSample> means = samples(report.study, report.results);
+  const std::vector<ReadOutSample> means = samples(study, results);
   Json factors = Json::array();
   std::vector<double> all_p;
-  for (const std::string& key : swept_keys(report.study)) {
-    const Row& row = *find_row(key, report.study.base);
+  for (const std::string& key : swept_keys(study)) {
+    const Row& row = *find_row(key, study.base);
     std::vector<double> values;
-    for (const Point& point : report.study.points)
+    for (const Point& point : study.points)
       if (const auto value = number_in_unit(row, point.parameters)) values.push_back(*value);
-    if (values.size() != report.study.points.size() || std::ranges::min(values) == std::ranges::max(values)) continue;
+    if (values.size() != study.points.size() || std::ranges::min(values) == std::ranges::max(values)) continue;
     Json correlations = Json::array();
-    for (const std::string& readout : report.study.readouts) {
+    for (const std::string& readout : study.readouts) {
       std::vector<double> y(values.size(), std::numeric_limits<double>::quiet_NaN());
       for (const ReadOutSample& s : means)
         if (s.readout == readout) y[s.point] = s.moments.mean;
@@ -88,7 +94,7 @@ Json scatter_json(const StudyReport& report) {
   std::size_t next = 0;
   for (Json& factor : factors)
     for (Json& c : factor["correlations"]) c["p_holm"] = holm[next++];
-  return {{"points", places(report.study)}, {"factors", factors}};
+  return {{"points", places(study)}, {"factors", factors}};
 }
 
 /// What was measured, with its error; "" of no condition.
@@ -114,10 +120,10 @@ std::string titled(const Study& study) {
 }
 
 /// Command, date, versions of the program, runs done: from the files of the folder alone.
-Json facts_json(const StudyReport& report) {
+Json facts_json(const StudyFolder& study, const std::vector<Result>& results) {
   std::size_t done = 0;
   std::string last;
-  for (const Result& r : report.results) {
+  for (const Result& r : results) {
     if (!r.standing.done()) continue;
     ++done;
     last = std::max(last, r.standing.end);
@@ -126,11 +132,11 @@ Json facts_json(const StudyReport& report) {
   const auto add = [&](const char* name, const std::string& value) {
     if (!value.empty()) facts.push_back({{"name", name}, {"value", value}});
   };
-  add("command", report.command);
+  add("command", command_of(study));
   if (last.size() >= 16) add("date", fmt::format("{} {} UTC", last.substr(0, 10), last.substr(11, 5)));
-  const std::vector<std::string> programs = programs_of(report.results);
+  const std::vector<std::string> programs = programs_of(results);
   if (!programs.empty()) add("program", fmt::format("matrigrate {}", fmt::join(programs, ", ")));
-  add("runs done", fmt::format("{} of {}", done, report.results.size()));
+  add("runs done", fmt::format("{} of {}", done, results.size()));
   return facts;
 }
 
@@ -145,10 +151,10 @@ std::string named(const Json& readout) {
 
 /// What came out of the first read-out, in a sentence: its extremes, and how many comparisons are significant, if any
 /// were wanted.
-std::string result_sentence(const StudyReport& report) {
-  if (report.study.readouts.empty()) return {};
-  const Json readout = readouts_json(report.study).at(0);
-  std::vector<ReadOutSample> defined = samples(report.study, report.results);
+std::string result_sentence(const Study& study, const Collected& found) {
+  if (study.readouts.empty()) return {};
+  const Json readout = readouts_json(study).at(0);
+  std::vector<ReadOutSample> defined = samples(study, found.results);
   std::erase_if(defined, [&](const ReadOutSample& s) { return readout.at("name") != s.readout || s.moments.n == 0; });
   const std::string label = named(readout);
   if (defined.empty()) return fmt::format("{}: no run has a value yet.", label);
@@ -156,7 +162,7 @@ std::string result_sentence(const StudyReport& report) {
   if (!unit.empty()) unit = " " + unit;
   const auto value = [&](const ReadOutSample& s) {
     return fmt::format("{:.3g}{} (mean of {} run{}) at {}", s.moments.mean, unit, s.moments.n,
-                       s.moments.n == 1 ? "" : "s", point_text(report.study, s.point));
+                       s.moments.n == 1 ? "" : "s", point_text(study, s.point));
   };
   const auto [low, high] = std::ranges::minmax_element(defined, {}, [](const auto& s) { return s.moments.mean; });
   if (defined.size() == 1) return fmt::format("{} is {}.", label, value(*low));
@@ -167,25 +173,18 @@ std::string result_sentence(const StudyReport& report) {
         label, low->moments.mean, high->moments.mean, unit, defined.size(), least_runs);
   std::size_t tested = 0;
   std::size_t significant = 0;
-  for (const Comparison& c : report.comparisons) {
+  for (const Comparison& c : found.comparisons) {
     const bool enough = std::min(c.sample_a.n, c.sample_b.n) >= least_runs;
     if (readout.at("name") != c.readout || !enough || std::isnan(c.p_holm)) continue;
     ++tested;
-    if (c.p_holm < report.study.comparisons.alpha) ++significant;
+    if (c.p_holm < study.comparisons.alpha) ++significant;
   }
   const std::string extremes = fmt::format("{} is lowest, {}, and highest, {}", label, value(*low), value(*high));
-  if (report.study.comparisons.pairs == Pairs::none) return extremes + ".";
+  if (study.comparisons.pairs == Pairs::none) return extremes + ".";
   return extremes + "; "
-         + (tested == 0
-                ? fmt::format("no comparison has {} runs at both points.", least_runs)
-                : fmt::format("{} of {} comparisons {} significant (p < {:.3g} after Holm's correction).", significant,
-                              tested, significant == 1 ? "is" : "are", report.study.comparisons.alpha));
-}
-
-/// The command that computes the study again, from the file in its folder.
-std::string command_of(const StudyFolder& study) {
-  const std::filesystem::path name = full_path(study.folder).filename();
-  return run::command_text({"matrigrate", "study", "run", (name / "study.resolved.toml").string()});
+         + (tested == 0 ? fmt::format("no comparison has {} runs at both points.", least_runs)
+                        : fmt::format("{} of {} comparisons {} significant (p < {:.3g} after Holm's correction).",
+                                      significant, tested, significant == 1 ? "is" : "are", study.comparisons.alpha));
 }
 
 /// A table that only some studies have: one of an earlier form of the study would mislead.
@@ -273,35 +272,36 @@ Json page_of(const std::filesystem::path& folder, std::size_t stride) {
 
 } // namespace
 
-Json study_data(const StudyReport& report) {
-  const std::vector<Json> place = places(report.study);
-  const auto done = std::ranges::count_if(report.results, [](const Result& r) { return r.standing.done(); });
+Json study_data(const StudyFolder& folder, const Collected& found, const Json& played,
+                const std::vector<tracks::CellTrack>& tracks) {
+  const Study& study = folder.study;
+  const std::vector<Result>& results = found.results;
+  const std::vector<Json> place = places(study);
+  const auto done = std::ranges::count_if(results, [](const Result& r) { return r.standing.done(); });
   Json runs = Json::array();
-  for (const Result& result : report.results)
-    runs.push_back(run_json(report.study, report.folder, result, place[result.run.point]));
+  for (const Result& result : results) runs.push_back(run_json(study, folder.folder, result, place[result.run.point]));
   Json msd = Json::array();
-  for (std::size_t i = 0; i < place.size(); ++i)
-    msd.push_back(msd_json(mean_msd(report.results, i, report.folder), place[i]));
-  std::string status = fmt::format("{} of {} runs done.", done, report.results.size());
-  if (const std::string rim = rim_text(report.study, report.results); !rim.empty()) status += " " + rim;
+  for (std::size_t i = 0; i < place.size(); ++i) msd.push_back(msd_json(mean_msd(results, i, folder.folder), place[i]));
+  std::string status = fmt::format("{} of {} runs done.", done, results.size());
+  if (const std::string rim = rim_text(study, results); !rim.empty()) status += " " + rim;
   Json data{{"format", "matrigrate-study"},
             {"version", 1},
-            {"title", titled(report.study)},
+            {"title", titled(study)},
             {"status", status},
-            {"summary", result_sentence(report)},
-            {"facts", facts_json(report)},
+            {"summary", result_sentence(study, found)},
+            {"facts", facts_json(folder, results)},
             {"runs", std::move(runs)},
             {"msd", std::move(msd)},
-            {"correlation", correlation_json(report)},
-            {"scatter", scatter_json(report)},
-            {"claims", claims_json(report.claims)},
-            {"claims_note", report.claims_note},
-            {"targets", targets_json(report.study)},
-            {"players", report.played},
-            {"measured", measured_json(report.study, report.tracks, place)},
-            {"provenance", report.provenance},
+            {"correlation", correlation_json(study, results)},
+            {"scatter", scatter_json(study, results)},
+            {"claims", claims_json(found.claims)},
+            {"claims_note", claims_note(study)},
+            {"targets", targets_json(study)},
+            {"players", played},
+            {"measured", measured_json(study, tracks, place)},
+            {"provenance", run::provenance_text()},
             {"citation", report::citation()}};
-  data.update(compared_json(report.study, report.results, report.comparisons));
+  data.update(compared_json(study, results, found.comparisons));
   return data;
 }
 
@@ -357,18 +357,9 @@ Collected collect_tables(const StudyFolder& study, const std::vector<Result>& ke
 void write_study_report(const StudyFolder& study, Collected& collected, const StudyPage& page) {
   collected.claims = claims_about(study, collected.results);
   write_or_remove(study.folder / "claims.csv", !collected.claims.empty(), claims_csv(collected.claims));
+  const Json played = played_runs(study, collected.results, page.played, page.tracks);
   write_file(study.folder / "report.html",
-             report::filled_page(page.page_template,
-                                 study_data({.study = study.study,
-                                             .results = collected.results,
-                                             .comparisons = collected.comparisons,
-                                             .folder = study.folder,
-                                             .provenance = run::provenance_text(),
-                                             .claims = collected.claims,
-                                             .claims_note = claims_note(study.study),
-                                             .played = played_runs(study, collected.results, page.played, page.tracks),
-                                             .command = command_of(study),
-                                             .tracks = page.tracks})));
+             report::filled_page(page.page_template, study_data(study, collected, played, page.tracks)));
 }
 
 std::string fault_of_wanted(const std::vector<Result>& results, const std::vector<std::string>& wanted) {

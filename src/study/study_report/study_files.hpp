@@ -51,22 +51,12 @@ void write_study_report(const StudyFolder& study, Collected& collected, const St
 // The data of the page, as viewer/src/study/contract.ts describes them. Test:
 // tests/unit/study_report/study_report_test.cpp
 
-/// What a report is made of.
-struct StudyReport {
-  const Study& study;
-  const std::vector<Result>& results;
-  const std::vector<Comparison>& comparisons;
-  std::filesystem::path folder;                                    ///< of the study, whose runs' tables are read
-  std::string provenance;                                          ///< its line breaks are kept
-  std::vector<JudgedClaim> claims{};                               ///< about this study: its own, and the paper's
-  std::string claims_note{};                                       ///< what to know of them
-  nlohmann::ordered_json played = nlohmann::ordered_json::array(); ///< played_runs()
-  std::string command{};                                           ///< that computes the study again
-  std::vector<tracks::CellTrack> tracks{}; ///< measured, to be drawn at all points besides those of the targets
-};
-
+/// @param played  played_runs()
+/// @param tracks  measured, to be drawn at all points besides those of the targets
 /// @throws InputOutputError if a table of a run that is done cannot be read
-nlohmann::ordered_json study_data(const StudyReport& report);
+nlohmann::ordered_json study_data(const StudyFolder& study, const Collected& collected,
+                                  const nlohmann::ordered_json& played = nlohmann::ordered_json::array(),
+                                  const std::vector<tracks::CellTrack>& tracks = {});
 
 /// Why a wanted run cannot be played: it is not of this study, or is not done; empty if all wanted runs can.
 /// @param wanted  names of the folders of runs

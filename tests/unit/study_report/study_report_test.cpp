@@ -281,7 +281,7 @@ TEST(StudyData, TellsParametersApartThatEndAlike) {
                            "actomyosin.force = [1, 2]\n");
   auto results = results_of("f_mat", {{1.0, 1.1, 1.2}, {2.0}, {3.0}, {4.0}, {5.0, 5.1, 5.2}});
   for (Result& r : results) r.standing.status = RunState::running; // there are no tables of runs to read
-  const auto data = study_data({study, results, comparisons(study, results), "nowhere", "commit"});
+  const auto data = study_data({"nowhere", study, {}}, {results, comparisons(study, results)});
   EXPECT_EQ(data.at("scatter").at("factors").at(0).at("label"), "protrusion.force (F_prot)");
   EXPECT_EQ(data.at("scatter").at("factors").at(1).at("label"), "actomyosin.force (F_am)");
   EXPECT_EQ(data.at("scatter").at("factors").at(1).at("meaning"), find_row("actomyosin.force")->description);
@@ -300,7 +300,7 @@ TEST(StudyData, HoldsTargetsAtTheirConditions) {
                            "ecm.viscosity = 500\n[[targets]]\nreadout = \"f_mat\"\nlow = 0.5\nhigh = 1\nerror = 0.25\n"
                            "at = \"b\"\n[[targets]]\nreadout = \"n_protrusions\"\nvalue = 4\nerror = 1\n");
   const auto results = results_of("f_mat", {{}, {}});
-  const auto data = study_data({study, results, comparisons(study, results), "nowhere", "commit"});
+  const auto data = study_data({"nowhere", study, {}}, {results, comparisons(study, results)});
   EXPECT_EQ(data.at("targets").dump(),
             "[{\"readout\":\"f_mat\",\"low\":0.5,\"high\":1.0,\"error\":0.25,\"at\":\"b\"},"
             "{\"readout\":\"n_protrusions\",\"low\":4.0,\"high\":4.0,\"error\":1.0,\"at\":\"\"}]");
@@ -315,7 +315,7 @@ TEST(StudyData, HoldsRunsThatAreNotThereYet) {
     result.run = run;
     result.readouts.assign(all_readouts().size(), std::numeric_limits<double>::quiet_NaN());
   }
-  const auto data = study_data({study, results, comparisons(study, results), "nowhere", "commit"});
+  const auto data = study_data({"nowhere", study, {}}, {results, comparisons(study, results)});
   EXPECT_EQ(data.at("format"), "matrigrate-study");
   ASSERT_EQ(data.at("runs").size(), 6U);
   EXPECT_EQ(data.at("runs").at(0).at("status"), "pending");
@@ -328,7 +328,7 @@ TEST(StudyData, BoxesAreThoseOfGroupsCsv) {
   const Study study = read("readouts = [\"f_mat\"]\n[sweep]\nprotrusion.number = [1, 2]\n");
   std::vector<Result> results = results_of("f_mat", {{0.1, 0.25, 0.6, 0.7}, {0.5}});
   for (Result& r : results) r.standing.status = RunState::running; // there are no tables of runs to read
-  const auto data = study_data({study, results, comparisons(study, results), "nowhere", "commit"});
+  const auto data = study_data({"nowhere", study, {}}, {results, comparisons(study, results)});
   ASSERT_EQ(data.at("groups").size(), 2U);
   const std::string csv = groups_csv(study, results);
   for (const char* name : {"mean", "low_whisker", "low_quartile", "median", "high_quartile", "high_whisker"})
@@ -342,8 +342,7 @@ TEST(StudyData, BoxesAreThoseOfGroupsCsv) {
             "is called the lowest or the highest.");
   results = results_of("f_mat", {{0.1, 0.25, 0.6, 0.7}, {0.5, 0.6, 0.7}});
   for (Result& r : results) r.standing.status = RunState::running;
-  const std::string enough =
-      study_data({study, results, comparisons(study, results), "nowhere", "commit"}).at("summary");
+  const std::string enough = study_data({"nowhere", study, {}}, {results, comparisons(study, results)}).at("summary");
   EXPECT_TRUE(enough.starts_with(
       "Maturation of protrusions, mean (f_mat) is lowest, 0.412 (mean of 4 runs) at n_prot 1, and highest, "
       "0.6 (mean of 3 runs) at n_prot 2; "))
@@ -355,9 +354,7 @@ TEST(StudyData, SaysThatRunsEndedAtTheRim) {
   std::vector<Result> results = results_of("f_mat", {{0.1, 0.2}, {0.5}});
   for (Result& r : results) r.standing.status = RunState::running;
   const auto status = [&] {
-    return study_data({study, results, comparisons(study, results), "nowhere", "commit"})
-        .at("status")
-        .get<std::string>();
+    return study_data({"nowhere", study, {}}, {results, comparisons(study, results)}).at("status").get<std::string>();
   };
   EXPECT_EQ(status(), "0 of 3 runs done.");
   results[2].standing.status = RunState::failed;
@@ -369,20 +366,16 @@ TEST(StudyData, HoldsClaimsAndPlayedRuns) {
   const Study study = read("[sweep]\nprotrusion.number = [1, 2]\n");
   const Finding finding{Verdict::does_not_hold, {"f_mat at 1 0.3 [0.2, 0.4] (n = 3)"}, {"p 0.2: not met"}};
   const auto data =
-      study_data({.study = study,
-                  .results = {},
+      study_data({"nowhere", study, {}},
+                 {.results = {},
                   .comparisons = {},
-                  .folder = "nowhere",
-                  .provenance = "commit",
-                  .claims = {{"A1", ClaimKind::predicted, "rises", "0.5", finding, {}, {}, "not the paper's runs"}},
-                  .claims_note = "Not run as published.",
-                  .played = Json::parse(R"([{"id": "0", "label": "number 1", "run": {"format": "matrigrate-run"}}])")});
+                  .claims = {{"A1", ClaimKind::predicted, "rises", "0.5", finding, {}, {}, "not the paper's runs"}}},
+                 Json::parse(R"([{"id": "0", "label": "number 1", "run": {"format": "matrigrate-run"}}])"));
   const auto& claim = data.at("claims").at(0);
   EXPECT_EQ(claim.at("verdict"), "does not hold");
   EXPECT_EQ(claim.at("published"), "0.5");
   EXPECT_EQ(claim.at("ours").dump(), "[\"f_mat at 1 0.3 [0.2, 0.4] (n = 3)\"]");
   EXPECT_EQ(claim.at("statistic").at(0), "p 0.2: not met");
-  EXPECT_EQ(data.at("claims_note"), "Not run as published.");
   EXPECT_EQ(claim.at("caveat"), "not the paper's runs");
   EXPECT_EQ(data.at("players").at(0).at("run").at("format"), "matrigrate-run");
 }
