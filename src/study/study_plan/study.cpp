@@ -78,10 +78,10 @@ std::vector<std::string> all_readouts() {
 }
 
 std::size_t readout_column(std::string_view readout) {
-  const std::vector<std::string> names = all_readouts();
-  const auto found = std::ranges::find(names, readout);
-  if (found == names.end()) throw std::invalid_argument(fmt::format("there is no read-out {}", readout));
-  return static_cast<std::size_t>(found - names.begin());
+  const auto all = readout_table();
+  const auto found = std::ranges::find(all, readout, &ReadOutSpec::name);
+  if (found == all.end()) throw std::invalid_argument(fmt::format("there is no read-out {}", readout));
+  return static_cast<std::size_t>(found - all.begin());
 }
 
 std::vector<MeasuredTracks> measured_sets(const Study& study) {

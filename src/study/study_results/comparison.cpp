@@ -20,15 +20,6 @@ using store::csv_line;
 using store::Field;
 using View = std::string_view;
 
-/// A read-out of all runs, in their order; NaN where it is not defined.
-std::vector<double> column(const std::vector<Result>& results, const std::string& readout) {
-  const std::size_t index = readout_column(readout);
-  std::vector<double> values;
-  values.reserve(results.size());
-  for (const Result& r : results) values.push_back(r.readouts[index]);
-  return values;
-}
-
 using Pair = std::pair<std::size_t, std::size_t>;
 
 /// For each point, which of the values of each swept parameter it has, by the order in which they appear.
@@ -141,26 +132,26 @@ std::string statistics_csv(const Study& study, const std::vector<Comparison>& co
   std::vector<std::string> swept_a = swept_columns(study), swept_b = swept_a;
   for (std::string& column : swept_a) column += "_a";
   for (std::string& column : swept_b) column += "_b";
-  std::vector<std::string> names = concatenated<std::string>({{"readout", "point_a", "point_b"}, swept_a, swept_b});
-  for (const char* name : {"n_a", "n_b", "mean_a", "mean_b", "sd_a", "sd_b", "difference", "difference_low",
-                           "difference_high", "test", "statistic", "df", "p", "p_holm", "hedges_g", "hedges_g_low",
-                           "hedges_g_high", "detectable_difference_80_percent"})
-    names.emplace_back(name);
-  names.insert(names.end(), {"lost_at_rim_a", "lost_at_rim_b"});
+  const auto names = concatenated<std::string>(
+      {{"readout", "point_a", "point_b"},
+       swept_a,
+       swept_b,
+       {"n_a", "n_b", "mean_a", "mean_b", "sd_a", "sd_b", "difference", "difference_low", "difference_high"},
+       {"test", "statistic", "df", "p", "p_holm", "hedges_g", "hedges_g_low", "hedges_g_high"},
+       {"detectable_difference_80_percent", "lost_at_rim_a", "lost_at_rim_b"}});
   std::string text = csv_line({names.begin(), names.end()});
   const std::string test = name(study.comparisons.test);
   for (const Comparison& c : comparisons) {
     const Point &a = study.points[c.a], &b = study.points[c.b];
     const std::vector<std::string> values_a = swept_values(study, a), values_b = swept_values(study, b);
-    std::vector<Field> row{View(c.readout), View(a.label), View(b.label)};
-    row.insert(row.end(), values_a.begin(), values_a.end());
-    row.insert(row.end(), values_b.begin(), values_b.end());
-    row.insert(row.end(),
-               {count(c.sample_a.n), count(c.sample_b.n), c.sample_a.mean, c.sample_b.mean, c.sample_a.sd,
-                c.sample_b.sd, c.difference.value, c.difference.low, c.difference.high, View(test), c.test.statistic,
-                c.test.df, c.test.p, c.p_holm, c.g.value, c.g.low, c.g.high, c.detectable});
-    row.insert(row.end(), {count(lost[c.a]), count(lost[c.b])});
-    text += csv_line(row);
+    text += csv_line(concatenated<Field>(
+        {{View(c.readout), View(a.label), View(b.label)},
+         {values_a.begin(), values_a.end()},
+         {values_b.begin(), values_b.end()},
+         {count(c.sample_a.n), count(c.sample_b.n), c.sample_a.mean, c.sample_b.mean, c.sample_a.sd, c.sample_b.sd,
+          c.difference.value, c.difference.low, c.difference.high, View(test), c.test.statistic, c.test.df, c.test.p,
+          c.p_holm, c.g.value, c.g.low, c.g.high, c.detectable},
+         {count(lost[c.a]), count(lost[c.b])}}));
   }
   return text;
 }
@@ -191,7 +182,9 @@ Correlations correlations(const Study& study, const std::vector<Result>& results
   Correlations found;
   std::vector<std::vector<double>> columns;
   for (const std::string& readout : study.readouts) {
-    std::vector<double> values = column(results, readout);
+    const std::size_t index = readout_column(readout);
+    std::vector<double> values;
+    for (const Result& r : results) values.push_back(r.readouts[index]);
     if (std::isnan(statistics::pearson_within(values, values, point).r)) continue;
     found.readouts.push_back(readout);
     columns.push_back(std::move(values));

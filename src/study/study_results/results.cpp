@@ -34,12 +34,6 @@ using statistics::undefined;
 
 constexpr std::size_t largest_json = std::size_t{1} << 24;
 
-/// A number of an object; undefined where there is none.
-double number_of(const Json& object, const char* key) {
-  const auto found = object.find(key);
-  return found != object.end() && found->is_number() ? found->get<double>() : undefined;
-}
-
 /// The last line of a text that says something.
 std::string last_line(std::string text) {
   while (!text.empty() && (text.back() == '\n' || text.back() == '\r')) text.pop_back();
@@ -66,9 +60,9 @@ Standing from_log(const std::filesystem::path& log) {
 /// A read-out of summary.json; of several cells its mean over those for which it is defined.
 double summary_readout(const Json& summary, const char* name) {
   const auto cells = summary.find("cells");
-  if (cells == summary.end() || !cells->is_array()) return number_of(summary, name);
+  if (cells == summary.end() || !cells->is_array()) return run::number_in(summary, name).value_or(undefined);
   std::vector<double> values;
-  for (const Json& cell : *cells) values.push_back(number_of(cell, name));
+  for (const Json& cell : *cells) values.push_back(run::number_in(cell, name).value_or(undefined));
   return statistics::mean_of_defined(values);
 }
 
@@ -155,7 +149,7 @@ Standing standing(const std::filesystem::path& study_folder, const Run& run) {
   s.end = run::text_of(record, "end");
   for (const std::string& program : run::programs_of(record))
     s.programs.push_back(program.substr(program.find(' ') + 1));
-  if (const double time = number_of(record, "wall_time_s"); time > 0.0) s.wall_time = time;
+  s.wall_time = run::number_in(record, "wall_time_s").value_or(0.0);
   if (s.done() && !run::has_summary(file.parent_path())) {
     s.status = RunState::unfinished;
     s.reason = "summary.json is missing or damaged";
