@@ -58,7 +58,13 @@ export interface Field {
 export const valueAt = ({ q, step, scale, offset }: Field, frame: number, index: number): number =>
   offset + scale * q[frame * step + index];
 
-export const fromBase64 = (text: string): Uint8Array => Uint8Array.from(atob(text), (c) => c.charCodeAt(0));
+/** By a loop, since `Uint8Array.from` takes twenty times as long, and a film has megabytes. */
+export function fromBase64(text: string): Uint8Array {
+  const binary = atob(text);
+  const bytes = new Uint8Array(binary.length);
+  for (let i = 0; i < bytes.length; ++i) bytes[i] = binary.charCodeAt(i);
+  return bytes;
+}
 
 /** @throws Error where the browser cannot */
 export async function inflate(bytes: Uint8Array): Promise<Uint8Array> {
