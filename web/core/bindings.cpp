@@ -20,7 +20,6 @@
 #include <chrono>
 #include <cmath>
 #include <fstream>
-#include <limits>
 #include <memory>
 #include <new>
 
@@ -159,25 +158,17 @@ std::string check(const std::string& toml, const std::string& overrides) {
   });
 }
 
-std::string start(const std::string& toml, const std::string& overrides) {
+/// @param image  a state that was kept, to go on from; "": the beginning
+std::string start(const std::string& toml, const std::string& overrides, const std::string& image) {
   return answer([&] {
     const Parameters p = read(toml, overrides);
     running().reset(); // two at a time need twice the memory
-    running() = std::make_unique<Followed>(p);
+    running() = image.empty() ? std::make_unique<Followed>(p) : std::make_unique<Followed>(p, image);
     return head_json();
   });
 }
 
-std::string take_up(const std::string& toml, const std::string& overrides, const std::string& image) {
-  return answer([&] {
-    const Parameters p = read(toml, overrides);
-    running().reset();
-    running() = std::make_unique<Followed>(p, image);
-    return head_json();
-  });
-}
-
-/// @param wall_ms  returns after about so long, or when t_end is reached
+/// @param wall_ms  returns after about so long, at the soonest after a step, or when t_end is reached
 std::string march(double t_end, double wall_ms) {
   using Clock = std::chrono::steady_clock;
   return answer([&] {
@@ -187,20 +178,10 @@ std::string march(double t_end, double wall_ms) {
   });
 }
 
-/// One step.
-std::string step() {
-  return answer([] {
-    simulation().march(std::numeric_limits<double>::infinity(), [] { return true; });
-    return now_json();
-  });
-}
-
 std::string change(const std::string& overrides) {
   return answer([&] {
-    const Change made = simulation().change(strings(overrides));
-    Json json = head_json();
-    json["from_s"] = made.t;
-    return json;
+    simulation().change(strings(overrides));
+    return head_json();
   });
 }
 
@@ -344,9 +325,7 @@ EMSCRIPTEN_BINDINGS(matrigrate) {
   function("putFile", &put_file);
   function("check", &check);
   function("start", &start);
-  function("takeUp", &take_up);
   function("march", &march);
-  function("step", &step);
   function("change", &change);
   function("matrix", &matrix);
   function("frame", &frame);

@@ -30,14 +30,13 @@ void Followed::march(double t_end, const std::function<bool()>& enough) {
   });
 }
 
-Change Followed::change(const std::vector<std::string>& overrides) {
+void Followed::change(const std::vector<std::string>& overrides) {
   m_simulation.change(apply_overrides(parameters(), overrides, start_rules()), {}, [&](const State& /*now*/) {
     keep_track();
     return true;
   });
   m_rows = rows(parameters());
   m_rows.due(state().t);
-  return {state().t, overrides};
 }
 
 std::vector<TrackRow> Followed::take_tracks() { return std::exchange(m_tracks, {}); }

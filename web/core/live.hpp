@@ -15,12 +15,6 @@
 /// web/tests/core.mjs
 namespace matrigrate::live {
 
-/// Parameters that changed on the way.
-struct Change {
-  double t = 0.0; ///< [s]
-  std::vector<std::string> overrides;
-};
-
 class Followed {
 public:
   /// From the beginning.
@@ -38,7 +32,7 @@ public:
   /// @param overrides  "key=value"
   /// @throws ConfigurationError naming what cannot change, or is wrong; nothing has happened then
   /// @throws NumericalFailure
-  Change change(const std::vector<std::string>& overrides);
+  void change(const std::vector<std::string>& overrides);
 
   /// True if run.duration is reached.
   bool done() const;

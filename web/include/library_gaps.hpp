@@ -61,14 +61,6 @@ auto by(Compare& compare, Projection& projection) {
     return invoke(compare, invoke(projection, a), invoke(projection, b));
   };
 }
-
-/// Two iterators that make a range.
-template <class Iterator>
-struct Part {
-  Iterator first, last;
-  Iterator begin() const { return first; }
-  Iterator end() const { return last; }
-};
 } // namespace gaps
 
 template <class Range, class Test>
@@ -153,12 +145,6 @@ void sort(Range&& range, Compare compare = {}, Projection projection = {}) {
 template <class Range, class Compare = std::less<>, class Projection = identity>
 void stable_sort(Range&& range, Compare compare = {}, Projection projection = {}) {
   std::stable_sort(range.begin(), range.end(), gaps::by(compare, projection));
-}
-
-template <class Range, class Same = std::equal_to<>>
-auto unique(Range&& range, Same same = {}) {
-  using Iterator = decltype(range.begin());
-  return gaps::Part<Iterator>{std::unique(range.begin(), range.end(), same), range.end()};
 }
 
 template <class Range, class Value, class Compare = std::less<>, class Projection = identity>

@@ -20,7 +20,7 @@ if (!/zeta_dis.*zeta_diss/s.test(faultOf("[laws]\ndisassembly_rate = 'r_off_min 
 if (!/f_degr|x, y/.test(faultOf("[ecm.fields]\nf_degr = 'abs(z) < 5 ? 0 : 1'\n"))) throw new Error("a wrong formula is not told");
 
 const settings = JSON.stringify(["run.integrator=adaptive", "run.seed=1"]);
-ask(core.start("", settings));
+ask(core.start("", settings, ""));
 const begin = performance.now();
 let now = { t_s: 0 };
 while (now.t_s < 3600 * Number(hours) - 1e-6 && !now.done) now = ask(core.march(3600 * Number(hours), 1000));
@@ -33,7 +33,7 @@ const tracks = ask(core.tracks());
 const laws = ask(core.laws());
 if (laws.length !== 14 || !laws.every(({ formula, arguments: names }) => formula && names.length > 0)) throw new Error(JSON.stringify(laws));
 const reached = (changes) => {
-  ask(core.start("", JSON.stringify(["run.integrator=adaptive", "run.seed=1", "ecm.fields.f_degr=abs(y) < 5 ? 0.5 : 1"])));
+  ask(core.start("", JSON.stringify(["run.integrator=adaptive", "run.seed=1", "ecm.fields.f_degr=abs(y) < 5 ? 0.5 : 1"]), ""));
   const marchTo = (t) => {
     for (let there = { t_s: 0 }; there.t_s < t - 1e-6; ) there = ask(core.march(t, 1000));
   };
@@ -48,7 +48,7 @@ const reached = (changes) => {
 const [usual, same, weaker] = [[], [[0, "laws.growth_force=(n_prot > 0 && A > 1 ? 1/A : 1) + 0"]], [[60, "laws.growth_force=0.2"]]].map(reached);
 console.log(`the cell reaches out by the paper's growth, the same as a formula, and a fifth of it from 60 s on: ${usual}, ${same}, ${weaker} um`);
 if (!(Math.abs(usual - same) < 1e-4) || !(weaker < usual - 1)) throw new Error("laws do not act");
-ask(core.start("", settings));
+ask(core.start("", settings, ""));
 for (now = { t_s: 0 }; now.t_s < 3600 * Number(hours) - 1e-6 && !now.done; ) now = ask(core.march(3600 * Number(hours), 1000));
 
 // A state that was kept goes on to the same bits.
@@ -56,7 +56,7 @@ const image = core.image();
 const on = now.t_s + 60;
 while (now.t_s < on - 1e-6) now = ask(core.march(on, 1000));
 const [x, y] = [core.frame(undefined), now.step];
-ask(core.takeUp("", settings, image));
+ask(core.start("", settings, image));
 now = { t_s: 0 };
 while (now.t_s < on - 1e-6) now = ask(core.march(on, 1000));
 const again = core.frame(undefined);
@@ -80,9 +80,9 @@ const sizes = () => {
   const { outline, nucleus, cells } = core.frame(undefined);
   return { outline: outline.length / 2, nucleus: nucleus?.length / 2, cells: cells && [...new Set(cells)] };
 };
-const alone = ask(core.start("", settings));
+const alone = ask(core.start("", settings, ""));
 if (alone.n_nucleus !== 0 || "cell" in alone || "nucleus" in core.frame(undefined) || "cells" in core.frame(undefined)) throw new Error("a nucleus or a number where there is none");
-const two = ask(core.start("[nucleus]\nradius = '5 um'\n[[cells]]\nx = '-25 um'\ny = 0\n[[cells]]\nx = '25 um'\ny = 0\n[protrusion]\ninitiation_rate = '0.01 1/s'\n", settings));
+const two = ask(core.start("[nucleus]\nradius = '5 um'\n[[cells]]\nx = '-25 um'\ny = 0\n[[cells]]\nx = '25 um'\ny = 0\n[protrusion]\ninitiation_rate = '0.01 1/s'\n", settings, ""));
 for (now = two; now.t_s < 120; ) now = ask(core.march(120, 1000));
 const found = sizes();
 console.log(`two cells with nuclei: ${JSON.stringify(found)}`);

@@ -137,7 +137,7 @@ export class Live {
         return this.begun(message.head, message.matrix);
       case "changed": {
         const { head, overrides, matrix } = message;
-        if (head.from_s !== undefined) this.scenario.changes.push({ t: head.from_s, overrides });
+        this.scenario.changes.push({ t: head.t_s, overrides });
         [this.head, this.matrix] = [head, matrix];
         if (this.film && head.bonds_um.length > 0 !== (this.film.film.fibres !== null)) this.newFilm(head);
         else if (matrix.layers?.length) {

@@ -32,8 +32,6 @@ export interface Head {
   cell?: number[];
   duration_s: number;
   changed: Changed;
-  /** After a change: the time from which on it holds. */
-  from_s?: number;
   /** From a particle to those that fibres join it to [um]; empty without fibres. */
   bonds_um: [number, number][];
   onset: number;

@@ -6,10 +6,10 @@ import { buffersOf, type Answer, type CoreFrame, type CoreMatrix, type Fault, ty
 interface Core {
   putFile(name: string, content: string): void;
   check(toml: string, overrides: string): string;
-  start(toml: string, overrides: string): string;
-  takeUp(toml: string, overrides: string, image: Uint8Array): string;
+  /** @param image  a state that was kept, to go on from; "": the beginning */
+  start(toml: string, overrides: string, image: Uint8Array | ""): string;
+  /** @param wall_ms  returns after about so long, at the soonest after a step, or when t_end is reached */
   march(t_end: number, wall_ms: number): string;
-  step(): string;
   change(overrides: string): string;
   matrix(): CoreMatrix;
   /** @param spare  a frame that nobody reads any more, whose arrays may be used again */
@@ -92,10 +92,9 @@ function put(given: Given): void {
   for (const [name, content] of Object.entries(given.files)) core.putFile(`/${name}`, content);
 }
 
-function begin(given: Given, image?: Uint8Array): void {
+function begin(given: Given, image: Uint8Array | "" = ""): void {
   put(given);
-  const overrides = JSON.stringify(given.overrides);
-  const head = read<Head>(image ? core.takeUp(given.toml, overrides, image) : core.start(given.toml, overrides));
+  const head = read<Head>(core.start(given.toml, JSON.stringify(given.overrides), image));
   if (refused(head, "start")) return;
   playing = false;
   told = "";
@@ -124,7 +123,7 @@ function act(message: ToWorker): void {
       return stop("paused");
     case "step": {
       playing = false;
-      const now = read<Moment>(core.step());
+      const now = read<Moment>(core.march(Infinity, 0));
       if (!refused(now, "start")) show(now.done);
       return;
     }
