@@ -1,5 +1,6 @@
 /** What is simulated: a scenario, settings on top of it, what was drawn, and what changed on the way. */
 import { h } from "../dom";
+import { fromBase64 } from "../embedded";
 import { pretty } from "../numbers";
 import type { Given, Law } from "./protocol";
 
@@ -177,8 +178,8 @@ export function fromHash(hash: string): Scenario | null {
   const found = /^#scenario=(.*)$/.exec(hash);
   if (!found) return null;
   try {
-    const binary = atob(found[1].replace(/-/g, "+").replace(/_/g, "/"));
-    const text = new TextDecoder("utf-8", { fatal: true }).decode(Uint8Array.from(binary, (c) => c.charCodeAt(0)));
+    const bytes = fromBase64(found[1].replace(/-/g, "+").replace(/_/g, "/"));
+    const text = new TextDecoder("utf-8", { fatal: true }).decode(bytes);
     const data = JSON.parse(text) as { v?: unknown; toml?: unknown; set?: unknown; draw?: unknown };
     if (data.v !== 1) throw new WrongScenario(`its version is ${String(data.v)}, and this page knows version 1`);
     const settings = Object.entries((data.set ?? {}) as object).map(([k, v]) => [k, String(v)]);
