@@ -60,13 +60,15 @@ export function panel(stage: Stage, gone: AbortSignal): HTMLElement {
   const [bar, controls, legend, fibres] = [h("div"), h("div"), h("div"), h("div")];
   const small = h("div", { class: "small-bar", "aria-hidden": "true" });
   stage.element.append(small);
-  /** Whether values lie beyond the ends of the bar, which changes in a film that grows. */
-  const ends = () => Object.values(stage.scale().clamped()).join();
+  /** What bars and signs say: at which ends of the bar values lie beyond it, what is drawn, and at which rows fibres are. */
+  const state = () =>
+    [...Object.values(stage.scale().clamped()), ...Object.values(stage.shown), stage.drawnFibres && stage.fibreRows()].join();
   let said = "";
-  const refreshBar = () => {
-    said = ends();
+  const refresh = () => {
+    said = state();
     bar.replaceChildren(colourBar(stage.layer, stage.scale()));
     small.replaceChildren(...smallBar(stage.scale().bar(isDark())));
+    legend.replaceChildren(signs(stage));
     const scale = stage.drawnFibres;
     fibres.hidden = scale === null;
     if (!fibreLayer || !scale) return;
@@ -74,15 +76,12 @@ export function panel(stage: Stage, gone: AbortSignal): HTMLElement {
     const part = every > 1 ? ` Drawn in this view: those of every ${ordinal(every)} row of particles.` : "";
     fibres.replaceChildren(colourBar(fibreLayer, scale), h("p", { class: "note" }, part));
   };
-  const refresh = () => {
-    refreshBar();
-    legend.replaceChildren(signs(stage));
-  };
+  const refreshIfOther = () => state() !== said && refresh();
   const chosen = () => {
-    refreshBar();
+    refresh();
     const moment = () => extremes(film, stage.layer, stage.place.frame, stage.place.frame + 1);
     const changed = () => {
-      refreshBar();
+      refresh();
       stage.scaleChanged();
     };
     controls.replaceChildren(scaleControls(stage.layer, stage.scale(), moment, changed));
@@ -101,21 +100,11 @@ export function panel(stage: Stage, gone: AbortSignal): HTMLElement {
   });
   stage.on("layer", chosen);
   stage.on("scale", chosen);
-  if (film.growing) stage.on("paint", () => ends() !== said && refreshBar());
+  stage.on("view", refreshIfOther);
+  if (film.growing) stage.on("paint", refreshIfOther);
   onDarkMode(refresh, gone);
   const arrows = arrowChoice(stage);
-  let rows = 0;
-  let drawn = Object.values(stage.shown).join();
-  stage.on("view", () => {
-    const shown = Object.values(stage.shown).join();
-    if (shown !== drawn) refresh();
-    drawn = shown;
-    const now = stage.drawnFibres ? stage.fibreRows() : 0;
-    if (now !== rows) refreshBar();
-    rows = now;
-  });
   chosen();
-  refresh();
   const edge = edgeChoice(edges(film), (edge) => {
     stage.edge = edge;
     refresh();
