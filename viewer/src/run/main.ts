@@ -31,8 +31,8 @@ function parameters(run: RunPage): Node {
 
 fillPage((page) => {
   const run = embeddedRun();
-  const { parts, ready, clock } = runView(run, true);
-  window.matrigrate = hook(ready, clock);
+  const { parts, ready } = runView(run, true);
+  window.matrigrate = hook(ready);
   window.matrigrate.ready.catch(() => undefined);
   const changed = run.laws ?? [];
   const drawn = fitted((width) => laws(changed, width), new AbortController().signal);

@@ -94,5 +94,5 @@ export function runView(run: RunPage, alone: boolean, company?: Company) {
     gone.abort();
     if (clock.playing) clock.toggle();
   };
-  return { parts, ready, clock, stop };
+  return { parts, ready, stop };
 }

@@ -1,5 +1,4 @@
 /** `window.matrigrate`: for programs that drive the page, such as `drive.mjs`. Stated in README.md. */
-import type { Clock } from "../clock";
 import type { Stage } from "../stage";
 import { panel } from "./panel";
 import { paintPicture, stripHeight, svg } from "./picture";
@@ -34,7 +33,7 @@ declare global {
   }
 }
 
-export function hook(ready: Promise<Stage | null>, clock: Clock): Hook {
+export function hook(ready: Promise<Stage | null>): Hook {
   const canvas = document.createElement("canvas");
   let stage: Stage | null = null;
   const there = (): Stage => {
@@ -43,8 +42,9 @@ export function hook(ready: Promise<Stage | null>, clock: Clock): Hook {
   };
   /** Only a picture is wanted: nothing else on the page is told of the time. */
   const at = (time: number): Stage => {
-    clock.time = Math.min(clock.end, Math.max(0, time));
-    return there();
+    const shown = there();
+    shown.clock.time = Math.min(shown.clock.end, Math.max(0, time));
+    return shown;
   };
   return {
     ready: ready.then((made) => {
@@ -53,7 +53,7 @@ export function hook(ready: Promise<Stage | null>, clock: Clock): Hook {
     }),
     show: ({ width, height, layer, follow, whole }) => {
       const shown = there();
-      if (clock.playing) clock.toggle();
+      if (shown.clock.playing) shown.clock.toggle();
       const wanted = shown.layers.find((one) => one.key === layer);
       if (layer !== undefined && !wanted) throw new Error(`there is no layer "${layer}"`);
       if (wanted) shown.choose(wanted);
