@@ -1,27 +1,35 @@
-// What JavaScript calls: one simulation at a time; text goes in and out as JSON, frames as typed arrays.
-#include "core/live.hpp"
-
+// What JavaScript calls: one simulation at a time; text goes in and out as JSON, frames as typed arrays. Test:
+// web/tests/core.mjs
 #include "base/failure.hpp"
 #include "ecm/loop/fibres.hpp"
+#include "observe/frame.hpp"
 #include "observe/readouts.hpp"
+#include "observe/tracks.hpp"
 #include "parameters/laws/law.hpp"
 #include "parameters/presets.hpp"
 #include "parameters/read.hpp"
 #include "parameters/schema.hpp"
 #include "parameters/write.hpp"
+#include "run/cadence.hpp"
+#include "simulation/simulation.hpp"
 #include "simulation/start.hpp"
 #include "sph/kernel.hpp"
+#include "state/image.hpp"
 #include "state/initial.hpp"
 
 #include <emscripten/bind.h>
 #include <emscripten/val.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <fstream>
+#include <functional>
 #include <memory>
 #include <new>
+#include <string_view>
+#include <utility>
 
 namespace matrigrate::live {
 
@@ -29,6 +37,64 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 using emscripten::val;
+
+run::Cadence rows_of(const Parameters& p) { return {p.output.track_interval, p.run.time_step}; }
+
+/// A simulation that a page follows, with the rows of its tracks; its state can be kept and taken up again.
+class Followed {
+public:
+  /// From the beginning.
+  explicit Followed(const Parameters& p) : m_simulation(p), m_rows(rows_of(p)) { keep_track(); }
+
+  /// From a state kept by image(), with the parameters that it then had.
+  /// @throws std::invalid_argument if the bytes are no such state, or one of another size
+  Followed(const Parameters& p, std::string_view image) : m_simulation(p, state_of(image)), m_rows(rows_of(p)) {
+    m_rows.due(state().t); // its row was taken before
+  }
+
+  /// Advances until t_end [s], run.duration, or `enough`, which is asked after each step.
+  /// @throws NumericalFailure
+  void march(double t_end, const std::function<bool()>& enough) {
+    m_simulation.march(std::min(t_end, parameters().run.duration), {}, [&](const State& /*now*/) {
+      keep_track();
+      return !enough();
+    });
+  }
+
+  /// Advances to the next multiple of run.time_step, where a branch of the program can begin, and goes on with other
+  /// parameters from there.
+  /// @param overrides  "key=value"
+  /// @throws ConfigurationError naming what cannot change, or is wrong; nothing has happened then
+  /// @throws NumericalFailure
+  void change(const std::vector<std::string>& overrides) {
+    m_simulation.change(apply_overrides(parameters(), overrides, start_rules()), {}, [&](const State& /*now*/) {
+      keep_track();
+      return true;
+    });
+    m_rows = rows_of(parameters());
+    m_rows.due(state().t);
+  }
+
+  /// True if run.duration is reached.
+  bool done() const { return state().t >= parameters().run.duration - 0.5 * parameters().run.time_step; }
+
+  const State& state() const { return m_simulation.s; }
+  const Parameters& parameters() const { return m_simulation.p; }
+  observe::Frame frame() const { return observe::frame(m_simulation.s, m_simulation.p, m_simulation.w); }
+
+  /// Rows at the multiples of output.track_interval that were passed since the last call.
+  std::vector<TrackRow> take_tracks() { return std::exchange(m_tracks, {}); }
+
+private:
+  void keep_track() {
+    if (!m_rows.due(state().t)) return;
+    for (const TrackRow& row : track_rows(state())) m_tracks.push_back(row);
+  }
+
+  Simulation m_simulation;
+  std::vector<TrackRow> m_tracks;
+  run::Cadence m_rows; ///< of the tracks
+};
 
 std::unique_ptr<Followed>& running() {
   static std::unique_ptr<Followed> one;
@@ -285,8 +351,9 @@ std::string protrusions() {
   });
 }
 
+/// All of the state, to be read by this build of the program alone.
 val image() {
-  const std::string all = simulation().image();
+  const std::string all = image_of(simulation().state());
   return val::global("Uint8Array")
       .new_(val(emscripten::typed_memory_view(all.size(), reinterpret_cast<const unsigned char*>(all.data()))));
 }
