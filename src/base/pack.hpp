@@ -14,6 +14,7 @@ inline constexpr std::size_t pack_bytes = 32; // a register of AVX2, two of SSE2
 using Doubles = double __attribute__((vector_size(pack_bytes))); ///< four of them
 using Floats = float __attribute__((vector_size(pack_bytes)));   ///< eight of them
 using HalfFloats = float __attribute__((vector_size(pack_bytes / 2)));
+using TwoFloats = float __attribute__((vector_size(2 * sizeof(float))));
 
 template <class Pack>
 inline constexpr std::size_t pack_size = sizeof(Pack) / sizeof(Pack{}[0]);

@@ -128,7 +128,9 @@ void Reference::update(const EcmState& ecm) {
       });
   std::sort(touched.begin(), touched.end());
   touched.erase(std::unique(touched.begin(), touched.end()), touched.end());
-  parallel_for(touched.size(), [&](std::size_t k) { correct(touched[k], ecm); });
+  constexpr std::size_t grain = 16;
+  parallel_for(
+      touched.size(), [&](std::size_t k) { correct(touched[k], ecm); }, grain);
 }
 
 } // namespace matrigrate

@@ -78,10 +78,10 @@ Interpolation::Interpolation(const Grid& grid, std::size_t nodes) {
     std::map<std::uint32_t, std::array<float, field_lanes>> weights;
     for (std::size_t i = row; i < std::min(nodes, row + field_lanes); ++i)
       for (std::size_t k = 0; k < 4; ++k) {
-        const float weight = rounded(grid.around(i).weight[k]);
+        const float weight = rounded(grid.around()[i].weight[k]);
         if (weight == 0.0F) continue;
-        weights[grid.around(i).point[k]][i - row] = weight;
-        of_point[grid.around(i).point[k]].emplace_back(static_cast<std::uint32_t>(i), weight);
+        weights[grid.around()[i].point[k]][i - row] = weight;
+        of_point[grid.around()[i].point[k]].emplace_back(static_cast<std::uint32_t>(i), weight);
       }
     std::vector<float> all;
     for (const auto& [point, of_lanes] : weights) {
@@ -234,12 +234,9 @@ void CoarseLevels::take_links(const DragSystem& A, const Elimination& eliminatio
 
 /// r = b - (A + P^T E P) x.
 void CoarseLevels::residual(Level& level) {
-  level.pairs.residual(level.diagonal, level.b, level.x, level.r);
-  if (m_links.size() == 0) return;
-  m_linked.set_zero();
-  level.at_links.interpolate(level.x, m_linked);
-  m_links.multiply(m_linked);
-  level.at_links.subtract_restricted(m_linked, level.r);
+  side_by_side({[&] { m_links.multiply(level.at_links, level.x); },
+                [&] { level.pairs.residual(level.diagonal, level.b, level.x, level.r); }});
+  m_links.subtract_from(level.at_links, level.r);
 }
 
 void CoarseLevels::add_correction(const Field& r, Field& z) {

@@ -3,6 +3,7 @@
 #include "base/pack.hpp"
 
 #include <array>
+#include <numeric>
 
 namespace matrigrate {
 
@@ -93,8 +94,13 @@ template <class Part>
 double sum_of_parts(std::size_t values, const Part& part) {
   constexpr std::size_t length = 8 * parallel_block;
   std::vector<Partial> partial((values + length - 1) / length);
-  parallel_parts(partial.size(),
-                 [&](std::size_t b) { part(b * length, std::min(values, (b + 1) * length), partial[b]); });
+  std::vector<std::size_t> by_node(partial.size()); // parts of x and y of the same nodes for the same thread
+  std::iota(by_node.begin(), by_node.end(), 0);
+  std::ranges::sort(by_node, {}, [&](std::size_t b) { return b * length % (values / 2); });
+  parallel_parts(partial.size(), [&](std::size_t k) {
+    const std::size_t b = by_node[k];
+    part(b * length, std::min(values, (b + 1) * length), partial[b]);
+  });
   Partial sum{};
   for (const Partial& s : partial)
     for (std::size_t l = 0; l < sum.size(); ++l) sum[l] += s[l];

@@ -34,6 +34,15 @@ public:
   const std::vector<Number>& values() const { return m_values; }
   void set_zero() { std::fill(m_values.begin(), m_values.end(), Number(0)); }
 
+  /// Calls body(begin, end) for ranges of values that make up both components, in any order. A thread takes x and y of
+  /// the same nodes, as in loops over nodes, so that they stay in its cache.
+  template <class Body>
+  void each_range(const Body& body) const {
+    parallel_ranges(m_size, parallel_block, [&](std::size_t begin, std::size_t end) {
+      for (const std::size_t first : {lanes, m_stride + lanes}) body(first + begin, first + end);
+    });
+  }
+
 private:
   std::size_t m_size = 0, m_stride = 0;
   std::vector<Number> m_values;
@@ -63,7 +72,9 @@ inline void assign_product(const Field& d, const Field& r, Field& z) {
   const float* a = d.values().data();
   const float* b = r.values().data();
   float* to = z.values().data();
-  parallel_for(z.values().size(), [=](std::size_t k) { to[k] = a[k] * b[k]; });
+  z.each_range([=](std::size_t begin, std::size_t end) {
+    for (std::size_t k = begin; k < end; ++k) to[k] = a[k] * b[k];
+  });
 }
 
 /// z += d r, value by value.
@@ -71,7 +82,9 @@ inline void add_product(const Field& d, const Field& r, Field& z) {
   const float* a = d.values().data();
   const float* b = r.values().data();
   float* to = z.values().data();
-  parallel_for(z.values().size(), [=](std::size_t k) { to[k] += a[k] * b[k]; });
+  z.each_range([=](std::size_t begin, std::size_t end) {
+    for (std::size_t k = begin; k < end; ++k) to[k] += a[k] * b[k];
+  });
 }
 
 /// The same.   @return b . z
@@ -84,7 +97,9 @@ double conjugate_gradient_step(float alpha, const Field& p, const Field& q, Fiel
 inline void extend(const Field& z, float beta, Field& p) {
   const float* a = z.values().data();
   float* to = p.values().data();
-  parallel_for(p.values().size(), [=](std::size_t k) { to[k] = a[k] + beta * to[k]; });
+  p.each_range([=](std::size_t begin, std::size_t end) {
+    for (std::size_t k = begin; k < end; ++k) to[k] = a[k] + beta * to[k];
+  });
 }
 
 } // namespace matrigrate

@@ -114,30 +114,4 @@ void Grid::restrict_to(const Field& r, Field& a) const {
   }
 }
 
-void Grid::subtract_restricted(const Field& r, Field& a) const {
-  for (std::size_t i = 0; i < m_around.size(); ++i)
-    for (std::size_t k = 0; k < 4; ++k) {
-      a.x()[m_around[i].point[k]] -= m_around[i].weight[k] * r.x()[i];
-      a.y()[m_around[i].point[k]] -= m_around[i].weight[k] * r.y()[i];
-    }
-}
-
-void Grid::interpolate(const Field& a, Field& z) const {
-  const float* ax = a.x();
-  const float* ay = a.y();
-  float* zx = z.x();
-  float* zy = z.y();
-  parallel_for(m_around.size(), [=, this](std::size_t i) {
-    const Around& w = m_around[i];
-    float x = 0.0F;
-    float y = 0.0F;
-    for (std::size_t k = 0; k < 4; ++k) {
-      x += w.weight[k] * ax[w.point[k]];
-      y += w.weight[k] * ay[w.point[k]];
-    }
-    zx[i] += x;
-    zy[i] += y;
-  });
-}
-
 } // namespace matrigrate

@@ -48,17 +48,11 @@ public:
   /// Sets the interpolation to some nodes of the same grid located at all of them.
   void take(const Grid& located, std::span<const std::uint32_t> nodes);
 
-  const Around& around(std::size_t node) const { return m_around[node]; }
+  const std::vector<Around>& around() const { return m_around; } ///< of the nodes
   Eigen::SparseMatrix<double> P() const;
 
   /// a = P^T r.
   void restrict_to(const Field& r, Field& a) const;
-
-  /// a -= P^T r.
-  void subtract_restricted(const Field& r, Field& a) const;
-
-  /// z += P a.
-  void interpolate(const Field& a, Field& z) const;
 
 private:
   Around weigh(const Vec2& x) const;

@@ -1,5 +1,7 @@
 #include "solve/lumped_links.hpp"
 
+#include "base/pack.hpp"
+
 namespace matrigrate {
 
 void LumpedLinks::clear(std::span<const double> own) {
@@ -32,7 +34,7 @@ void LumpedLinks::close() {
 void LumpedLinks::add_to(const Grid& grid, Eigen::MatrixXf& A) const {
   Eigen::MatrixXf g = Eigen::MatrixXf::Zero(A.rows(), static_cast<long>(m_T.size())); // P^T g_a
   for (std::size_t k = 0; k < size(); ++k) {
-    const Grid::Around& at = grid.around(k);
+    const Grid::Around& at = grid.around()[k];
     for (std::size_t p = 0; p < 4; ++p) {
       for (std::size_t q = 0; q < 4; ++q)
         if (at.point[q] <= at.point[p]) A(at.point[p], at.point[q]) += m_g[k] * at.weight[p] * at.weight[q];
@@ -50,26 +52,51 @@ void LumpedLinks::add_to(const Grid& grid, Eigen::MatrixXf& A) const {
   }
 }
 
-void LumpedLinks::multiply(Field& u) {
+MATRIGRATE_SIMD
+void LumpedLinks::multiply(const Grid& grid, const Field& x) {
   m_sum.assign(2 * m_T.size(), 0.0F);
-  for (std::size_t k = 0; k < size(); ++k)
-    for (std::uint32_t e = m_first[k]; e < m_first[k + 1]; ++e) {
-      m_sum[2 * m_cell_dofs[e]] += m_drag[e] * u.x()[k];
-      m_sum[2 * m_cell_dofs[e] + 1] += m_drag[e] * u.y()[k];
+  m_force.resize(2 * size());
+  float *const sum = m_sum.data(), *const force = m_force.data();
+  const float *const a_x = x.x(), *const a_y = x.y(), *const g = m_g.data(), *const drag = m_drag.data();
+  const std::uint32_t *const first = m_first.data(), *const cell_dof = m_cell_dofs.data();
+  const Grid::Around* const around = grid.around().data();
+  const std::size_t nodes = size();
+  for (std::size_t k = 0; k < nodes; ++k) {
+    TwoFloats u{};
+    for (std::size_t q = 0; q < 4; ++q)
+      u += around[k].weight[q] * TwoFloats{a_x[around[k].point[q]], a_y[around[k].point[q]]};
+    store_pack(g[k] * u, force + 2 * k);
+    for (std::uint32_t e = first[k], end = first[k + 1]; e < end; ++e) {
+      float* const to = sum + 2 * std::size_t{cell_dof[e]};
+      TwoFloats a;
+      load(to, a);
+      store_pack(a + drag[e] * u, to);
     }
-  for (std::size_t a = 0; a < m_T.size(); ++a) {
-    m_sum[2 * a] *= m_T[a];
-    m_sum[2 * a + 1] *= m_T[a];
   }
-  for (std::size_t k = 0; k < size(); ++k) {
-    float x = m_g[k] * u.x()[k];
-    float y = m_g[k] * u.y()[k];
-    for (std::uint32_t e = m_first[k]; e < m_first[k + 1]; ++e) {
-      x -= m_drag[e] * m_sum[2 * m_cell_dofs[e]];
-      y -= m_drag[e] * m_sum[2 * m_cell_dofs[e] + 1];
+  for (std::size_t a = 0; a < m_T.size(); ++a) {
+    sum[2 * a] *= m_T[a];
+    sum[2 * a + 1] *= m_T[a];
+  }
+  for (std::size_t k = 0; k < nodes; ++k) {
+    TwoFloats f;
+    load(force + 2 * k, f);
+    for (std::uint32_t e = first[k], end = first[k + 1]; e < end; ++e) {
+      TwoFloats a;
+      load(sum + 2 * std::size_t{cell_dof[e]}, a);
+      f -= drag[e] * a;
     }
-    u.x()[k] = x;
-    u.y()[k] = y;
+    store_pack(f, force + 2 * k);
+  }
+}
+
+void LumpedLinks::subtract_from(const Grid& grid, Field& r) const {
+  float *const r_x = r.x(), *const r_y = r.y();
+  for (std::size_t k = 0; k < size(); ++k) {
+    const Grid::Around& at = grid.around()[k];
+    for (std::size_t q = 0; q < 4; ++q) {
+      r_x[at.point[q]] -= at.weight[q] * m_force[2 * k];
+      r_y[at.point[q]] -= at.weight[q] * m_force[2 * k + 1];
+    }
   }
 }
 

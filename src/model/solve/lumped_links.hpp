@@ -35,16 +35,19 @@ public:
   /// Lower half of A += P^T E P for a grid located at nodes().
   void add_to(const Grid& grid, Eigen::MatrixXf& A) const;
 
-  /// u := E u on the linked nodes.
-  void multiply(Field& u);
+  /// Finds E P x for a grid located at nodes().
+  void multiply(const Grid& grid, const Field& x);
+
+  /// r -= P^T E P x of the last multiply(), by the same grid.
+  void subtract_from(const Grid& grid, Field& r) const;
 
 private:
   std::vector<std::uint32_t> m_nodes;
   std::vector<float> m_g;
   std::vector<std::uint32_t> m_first, m_cell_dofs;
   std::vector<float> m_drag;
-  std::vector<float> m_T;   // after close(): 1 / T
-  std::vector<float> m_sum; // of the nodes of the cell, x and y interleaved
+  std::vector<float> m_T;            // after close(): 1 / T
+  std::vector<float> m_sum, m_force; // of the nodes of the cell, and E P x; x and y interleaved
 };
 
 } // namespace matrigrate

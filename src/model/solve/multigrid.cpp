@@ -72,10 +72,9 @@ void Multigrid::prepare(const DragSystem& A) {
 /// Adds to v a correction that takes the residual, r in all, down to `reduction` of itself, up to rounding.
 /// @return what is left of it, by the recurrence of conjugate gradients
 double Multigrid::correct(double r, double reduction, SolveReport& report) {
-  m_elimination.reduce(m_residual);
+  side_by_side({[&] { m_elimination.reduce(m_residual); }, [&] { m_x.set_zero(); }});
   const double per_r = 1.0 / r; // what is solved for is of order 1, whatever the units
   double left2 = assign_scaled(per_r, m_residual.matrix, m_r);
-  m_x.set_zero();
   double r_z = 0.0;
   while (left2 > reduction * reduction && report.iterations < m_max_iterations) {
     const double r_z_old = std::exchange(r_z, precondition());
@@ -91,23 +90,27 @@ double Multigrid::correct(double r, double reduction, SolveReport& report) {
   }
   for (Vec2& a : m_residual.cell_dofs) a *= per_r;
   m_cell_dofs.resize(m_residual.cell_dofs.size());
-  m_elimination.recover(m_residual.cell_dofs, m_x, m_cell_dofs);
-  const float* x = m_x.values().data();
-  double* v = m_v.matrix.values().data();
-  parallel_for(m_x.values().size(), [=](std::size_t k) { v[k] += r * static_cast<double>(x[k]); });
+  side_by_side({[&] {
+                  const float* x = m_x.values().data();
+                  double* v = m_v.matrix.values().data();
+                  m_x.each_range([=](std::size_t begin, std::size_t end) {
+                    for (std::size_t k = begin; k < end; ++k) v[k] += r * static_cast<double>(x[k]);
+                  });
+                },
+                [&] { m_elimination.recover(m_residual.cell_dofs, m_x, m_cell_dofs); }});
   for (std::size_t a = 0; a < m_cell_dofs.size(); ++a) m_v.cell_dofs[a] += r * m_cell_dofs[a];
   return std::sqrt(left2);
 }
 
 /// y = S x.
 void Multigrid::multiply(const Field& x, Field& y) {
-  side_by_side({[&] { m_elimination.multiply(x); }, [&] { m_pairs->multiply(m_diagonal, x, y); }});
+  side_by_side({[&] { m_pairs->multiply(m_diagonal, x, y); }, [&] { m_elimination.multiply(x); }});
   m_elimination.add_product(1.0F, y);
 }
 
 /// y = r - S x.
 void Multigrid::residual_after(const Field& x, Field& y) {
-  side_by_side({[&] { m_elimination.multiply(x); }, [&] { m_pairs->residual(m_diagonal, m_r, x, y); }});
+  side_by_side({[&] { m_pairs->residual(m_diagonal, m_r, x, y); }, [&] { m_elimination.multiply(x); }});
   m_elimination.add_product(-1.0F, y);
 }
 

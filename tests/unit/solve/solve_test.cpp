@@ -9,8 +9,10 @@
 #include <Eigen/SparseCore>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 using namespace matrigrate;
 
@@ -304,44 +306,57 @@ LumpedLinks three_nodes(double own) {
   return links;
 }
 
-} // namespace
-
-TEST(LumpedLinks, LetARigidMotionPassIfNothingHoldsTheNodesBehind) {
-  LumpedLinks links = three_nodes(0.0);
-  Field u;
-  u.resize(3);
-  for (std::size_t k = 0; k < 3; ++k) u.x()[k] = u.y()[k] = 2.0F;
-  links.multiply(u);
-  for (std::size_t k = 0; k < 3; ++k) EXPECT_NEAR(u.x()[k], 0.0F, 1e-6F);
-}
-
-TEST(LumpedLinks, HoldTheMatrixIfTheNodesBehindAreHeld) {
-  LumpedLinks links = three_nodes(1e9);
-  Field u;
-  u.resize(3);
-  for (std::size_t k = 0; k < 3; ++k) u.y()[k] = 2.0F;
-  links.multiply(u);
-  for (std::size_t k = 0; k < 3; ++k) EXPECT_NEAR(u.y()[k], 2.0F * links.drag(k), 1e-5F);
-}
-
-TEST(LumpedLinks, AreTheSameOnAGridAsAMatrix) {
-  LumpedLinks links = three_nodes(0.3);
+Grid grid_around_three_nodes() {
   const std::vector<Vec2> x{{0.1, 0.2}, {1.3, 0.4}, {0.7, 1.9}};
   Grid grid(x, 1.0);
   grid.locate(x, std::vector<std::uint8_t>(3, 1));
+  return grid;
+}
+
+Field zeros(std::size_t n) {
+  Field a;
+  a.resize(n);
+  return a;
+}
+
+void subtract_product(LumpedLinks links, const Grid& grid, const Field& x, Field& r) {
+  links.multiply(grid, x);
+  links.subtract_from(grid, r);
+}
+
+} // namespace
+
+TEST(LumpedLinks, LetARigidMotionPassIfNothingHoldsTheNodesBehind) {
+  const Grid grid = grid_around_three_nodes();
+  Field x = zeros(grid.size()), r = x;
+  std::fill_n(x.x(), grid.size(), 2.0F);
+  std::fill_n(x.y(), grid.size(), -1.0F);
+  subtract_product(three_nodes(0.0), grid, x, r);
+  for (std::size_t q = 0; q < grid.size(); ++q) EXPECT_NEAR(std::hypot(r.x()[q], r.y()[q]), 0.0F, 1e-6F);
+}
+
+TEST(LumpedLinks, HoldTheMatrixIfTheNodesBehindAreHeld) {
+  const Grid grid = grid_around_three_nodes();
+  Field x = zeros(grid.size()), r = x;
+  std::fill_n(x.y(), grid.size(), 2.0F);
+  const LumpedLinks links = three_nodes(1e9);
+  subtract_product(links, grid, x, r);
+  const float sum = links.drag(0) + links.drag(1) + links.drag(2);
+  EXPECT_NEAR(std::accumulate(r.y(), r.y() + grid.size(), 0.0F), -2.0F * sum, 1e-5F);
+  EXPECT_EQ(std::accumulate(r.x(), r.x() + grid.size(), 0.0F), 0.0F);
+}
+
+TEST(LumpedLinks, AreTheSameOnAGridAsAMatrix) {
+  const LumpedLinks links = three_nodes(0.3);
+  const Grid grid = grid_around_three_nodes();
   const auto n = static_cast<long>(grid.size());
   Eigen::MatrixXf A = Eigen::MatrixXf::Zero(n, n);
   links.add_to(grid, A);
   for (long q = 0; q < n; ++q) {
-    Field unit, u, column;
-    unit.resize(grid.size());
-    u.resize(3);
-    column.resize(grid.size());
+    Field unit = zeros(grid.size()), column = unit;
     unit.x()[q] = 1.0F;
-    grid.interpolate(unit, u);
-    links.multiply(u);
-    grid.restrict_to(u, column);
-    for (long p = 0; p < n; ++p) EXPECT_NEAR(column.x()[p], A(std::max(p, q), std::min(p, q)), 1e-6F);
+    subtract_product(links, grid, unit, column);
+    for (long p = 0; p < n; ++p) EXPECT_NEAR(-column.x()[p], A(std::max(p, q), std::min(p, q)), 1e-6F);
   }
 }
 
