@@ -4,6 +4,8 @@
 #include "apps/verbs.hpp"
 #include "base/failure.hpp"
 #include "base/file.hpp"
+#include "base/text.hpp"
+#include "exchange/openvt.hpp"
 #include "parameters/units.hpp"
 #include "run/folder_state.hpp"
 #include "run/own_files.hpp"
@@ -18,16 +20,217 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <functional>
 #include <iterator>
 #include <map>
 #include <memory>
+#include <sstream>
 #include <stdexcept>
 #include <utility>
 
 namespace matrigrate::apps {
 
 namespace {
+
+/// The parts of a list between commas, without the spaces around them; none of an empty text.
+std::vector<std::string> items_of(const std::string& list) {
+  std::vector<std::string> items;
+  std::istringstream in(list.empty() ? list : list + ','); // so that nothing behind the last comma is a part, too
+  for (std::string text; std::getline(in, text, ',');) {
+    const std::size_t begin = text.find_first_not_of(' ');
+    items.push_back(begin == std::string::npos ? std::string()
+                                               : text.substr(begin, text.find_last_not_of(' ') + 1 - begin));
+  }
+  return items;
+}
+
+/// A time with its unit, "1 h 30 min"; 0 needs none [s].
+/// @throws std::invalid_argument saying what is wrong
+double time_of(const std::string& text) {
+  if (text.empty()) throw std::invalid_argument("is no time: nothing stands between two commas, or behind the last");
+  const units::Quantity quantity = units::parse_quantity(text);
+  const bool zero = units::to_internal(quantity.number, units::parse_unit("1")) == 0.0;
+  if (quantity.unit.empty() && !zero)
+    throw std::invalid_argument(fmt::format("has no unit; write {0} s, {0} min or {0} h", quantity.number));
+  const units::Unit unit = units::parse_unit(quantity.unit.empty() ? "s" : quantity.unit);
+  if (unit.dimension != units::Dimension{.time = 1000}) throw std::invalid_argument("is no time");
+  return units::to_internal(quantity.number, unit);
+}
+
+constexpr std::string_view every = "every ";
+constexpr std::string_view example = "an example: --times \"every 10 min\", or --times \"0 h, 1 h, 3 h\"";
+
+/// The rows before the last time.
+std::vector<TrackRow> without_last(std::vector<TrackRow> rows) {
+  const double last = rows.back().t;
+  std::erase_if(rows, [&](const TrackRow& row) { return row.t >= last; });
+  return rows;
+}
+
+/// The day of "2026-01-31T12:00:00Z".
+std::string day_of(const std::string& time) { return time.substr(0, 10); }
+
+/// The times that --times names: "every 10 min", "0 h, 1 h, 3 h", or none: all.
+/// @throws UsageError naming all that cannot be read
+exchange::Times wanted_times(const std::string& text) {
+  exchange::Times times;
+  const bool regular = text.starts_with(every);
+  std::vector<std::string> faults;
+  for (const std::string& item : regular ? std::vector{text.substr(every.size())} : items_of(text)) try {
+      const double t = time_of(item);
+      if (t < 0.0 || (regular && t == 0.0)) throw std::invalid_argument(regular ? "is not above 0" : "is below 0");
+      if (!times.list.empty() && t <= times.list.back())
+        throw std::invalid_argument("does not come after the time before it");
+      times.list.push_back(t);
+    } catch (const std::invalid_argument& fault) {
+      faults.push_back(fmt::format("\"{}\": {}", item, fault.what()));
+    }
+  if (!faults.empty()) throw UsageError(fmt::format("--times: {}; {}", fmt::join(faults, "; "), example));
+  if (regular) times = {.every = times.list.front(), .list = {}};
+  return times;
+}
+
+/// The tracks of a run, as those of a study of one run.
+exchange::RunTracks single_run(const run::FinishedRun& run) {
+  const std::string name = scenario_name(run.record, run.folder);
+  return {.name = name, .condition = name, .replicate = 1, .seed = run.p.run.seed, .rows = run.memory.rows};
+}
+
+/// The runs at these times.
+/// @throws UsageError naming all runs and times that they lack
+std::vector<exchange::RunTracks> at_times(std::vector<exchange::RunTracks> runs, const exchange::Times& times) {
+  std::vector<std::string> faults;
+  for (exchange::RunTracks& run : runs) try {
+      run.rows = exchange::rows_at(run, times);
+    } catch (const std::invalid_argument& fault) {
+      faults.emplace_back(fault.what());
+    }
+  if (!faults.empty()) throw UsageError(fmt::format("--times: {}", fmt::join(faults, "\n")));
+  return runs;
+}
+
+/// What makes rows or frames evenly spaced, in a sentence.
+/// @param interval  "output.track_interval"
+std::string even_if(std::string_view interval, const Parameters& p) {
+  return fmt::format("they are evenly spaced where {} is a multiple of run.time_step, {:g} s", interval,
+                     p.run.time_step);
+}
+
+/// tracks_celltrackr.csv, tracks_trackmate.csv and tracks_trackmate.xml of a run. Warns of what the files for TrackMate
+/// leave out where rows are not evenly spaced.
+void write_tracks(const run::FinishedRun& run, const std::filesystem::path& to) {
+  write_file(to / "tracks_celltrackr.csv", exchange::celltrackr_csv(run.memory.rows));
+  std::vector<TrackRow> rows = run.memory.rows;
+  const observe::EvenTimes times = observe::even_times(observe::times_of(rows));
+  if (times.but_the_last()) {
+    print_warning(fmt::format("the last position, at {:g} s, comes sooner than {:g} s after the one before it: the "
+                              "files for TrackMate leave it out",
+                              rows.back().t, times.interval));
+    rows = without_last(rows);
+  }
+  write_file(to / "tracks_trackmate.csv", exchange::trackmate_csv(rows));
+  if (times.is_even() || times.but_the_last())
+    return write_file(to / "tracks_trackmate.xml", exchange::trackmate_xml(rows));
+  print_warning(fmt::format("tracks_trackmate.xml is not written, and tracks_trackmate.csv has no FRAME: the positions "
+                            "are {}, and TrackMate counts frames of one interval; {}",
+                            times.text(), even_if("output.track_interval", run.p)));
+}
+
+/// The runs without last rows that come too soon. Warns of them, and of runs whose rows are uneven otherwise.
+std::vector<exchange::RunTracks> without_odd_ends(std::vector<exchange::RunTracks> runs) {
+  std::size_t odd = 0, uneven = 0;
+  for (exchange::RunTracks& run : runs) {
+    const observe::EvenTimes times = observe::even_times(observe::times_of(run.rows));
+    if (times.but_the_last()) {
+      run.rows = without_last(run.rows);
+      ++odd;
+    } else if (!times.is_even()) {
+      ++uneven;
+    }
+  }
+  if (odd > 0)
+    print_warning(fmt::format("the last positions of {} of {} runs come too soon after those before them: "
+                              "tracks_spots.csv leaves them out",
+                              odd, runs.size()));
+  if (uneven > 0)
+    print_warning(fmt::format("the positions of {} of {} runs are not evenly spaced: tracks_spots.csv has no FRAME, "
+                              "which counts frames of one interval",
+                              uneven, runs.size()));
+  return runs;
+}
+
+/// openvt.csv, openvt.json, openvt_simulator.json.
+/// @param runs  at the times that are wanted
+void write_openvt(const std::vector<exchange::RunTracks>& runs, exchange::OpenVtModel model,
+                  const std::filesystem::path& to) {
+  model.version = run::version_text();
+  write_file(to / "openvt.csv", exchange::openvt_csv(runs));
+  write_file(to / "openvt.json", exchange::openvt_record(model, runs));
+  write_file(to / "openvt_simulator.json", exchange::openvt_simulator(model.version));
+}
+
+/// What openvt.json says of a run, and of a study.
+exchange::OpenVtModel openvt_model(const run::FinishedRun& run) {
+  const std::string end = run::text_of(run.record, "end");
+  return {.title = run::run_title(run.p, scenario_name(run.record, run.folder)),
+          .version = {},
+          .updated = day_of(end.empty() ? run::text_of(run.record, "start") : end),
+          .base = run.p};
+}
+
+exchange::OpenVtModel openvt_model(const study::Study& study, const std::vector<study::Result>& results) {
+  std::string last;
+  for (const study::Result& result : results) last = std::max(last, result.standing.end);
+  return {.title = study.title, .version = {}, .updated = day_of(last), .base = study.base};
+}
+
+/// The frame nearest to a time. Warns where it is not at that time.
+/// @throws UsageError if there is none nearby
+std::size_t frame_at(const run::FinishedRun& run, double t, std::string_view option) {
+  const std::vector<observe::Frame>& frames = run.film.frames;
+  const auto nearest = std::ranges::min_element(frames, {}, [&](const observe::Frame& f) { return std::abs(f.t - t); });
+  if (std::abs(nearest->t - t) > 0.5 * run.p.output.field_interval + 1.0)
+    throw UsageError(fmt::format("{}: there is no frame at {}: the frames of {} are from {} to {}, {} apart", option,
+                                 time_text(t), run.folder.string(), time_text(frames.front().t),
+                                 time_text(frames.back().t), time_text(run.p.output.field_interval)));
+  constexpr double same = 0.5; // a frame of a run that was stopped may be a step off [s]
+  if (std::abs(nearest->t - t) > same)
+    print_warning(fmt::format("{}: there is no frame at {}; the nearest is taken, at {}", option, time_text(t),
+                              time_text(nearest->t)));
+  return static_cast<std::size_t>(nearest - frames.begin());
+}
+
+/// The times of the frames of a run nearest to those of --panel [s].
+/// @param times  "0 h, 1 h 30 min, 6 h"
+/// @throws UsageError saying what cannot be read, or which time has no frame nearby
+std::vector<double> panel_times(const run::FinishedRun& run, const std::string& times) {
+  constexpr std::string_view example = "an example: --panel \"0 h, 1 h, 3 h, 6 h\"";
+  std::vector<double> chosen;
+  for (const std::string& text : items_of(times)) try {
+      chosen.push_back(run.film.frames[frame_at(run, time_of(text), "--panel")].t);
+    } catch (const std::invalid_argument& fault) {
+      throw UsageError(fmt::format("--panel: \"{}\": {}; {}", text, fault.what(), example));
+    }
+  if (chosen.empty()) throw UsageError(fmt::format("--panel: names no time; {}", example));
+  return chosen;
+}
+
+/// The numbers of the frames nearest to those of --times, each once; all without times.
+/// @throws UsageError saying which time has no frame nearby
+std::vector<std::size_t> frames_at(const run::FinishedRun& run, const exchange::Times& times) {
+  const std::vector<observe::Frame>& frames = run.film.frames;
+  std::vector<double> wanted = times.list;
+  if (times.every)
+    for (std::size_t k = 0; static_cast<double>(k) * *times.every <= frames.back().t; ++k)
+      wanted.push_back(static_cast<double>(k) * *times.every);
+  std::vector<std::size_t> chosen;
+  for (const double t : wanted) chosen.push_back(frame_at(run, t, "--times"));
+  if (wanted.empty())
+    for (std::size_t k = 0; k < frames.size(); ++k) chosen.push_back(k);
+  chosen.erase(std::unique(chosen.begin(), chosen.end()), chosen.end());
+  return chosen;
+}
 
 struct ExportArguments {
   std::string folder;
