@@ -9,8 +9,8 @@
 #include "parameters/version.hpp"
 #include "run/folder_state.hpp"
 #include "run/run_record.hpp"
-#include "tables/csv.hpp"
 #include "tables/state_json.hpp"
+#include "tables/table.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

@@ -10,8 +10,8 @@
 #include "run/run_record.hpp"
 #include "state/dof.hpp"
 #include "store/checkpoint.hpp"
-#include "tables/csv.hpp"
 #include "tables/run_files.hpp"
+#include "tables/table.hpp"
 
 #include <fmt/format.h>
 

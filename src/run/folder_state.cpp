@@ -4,8 +4,8 @@
 #include "base/text.hpp"
 #include "run/difference.hpp"
 #include "run/own_files.hpp"
+#include "run/resume.hpp"
 #include "run/run_record.hpp"
-#include "run/stopped_run.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

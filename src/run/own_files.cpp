@@ -2,7 +2,7 @@
 
 #include "base/failure.hpp"
 #include "base/file.hpp"
-#include "run/output/output.hpp"
+#include "run/output.hpp"
 
 #include <fmt/format.h>
 

@@ -39,4 +39,23 @@ struct BranchOptions {
 RunOutcome branch(const std::filesystem::path& from, const BranchOptions& how, const RunOptions& options,
                   RunObserver& observer);
 
+// What stands in the folder of a run.
+
+/// Whether a folder has the summary of a run, summary.json, which is written at the end.
+bool has_summary(const std::filesystem::path& folder);
+
+/// The parameters of the run in a folder: scenario.resolved.toml or, with a warning, what its checkpoint holds.
+/// @throws InputOutputError if neither can be read
+Parameters scenario_of(const std::filesystem::path& folder, RunObserver& observer);
+
+/// Fingerprint, as this program makes it, of the parameters in scenario.resolved.toml of a folder; empty if the file is
+/// missing, incomplete or not valid. Another version may have written another one into run.json.
+std::string written_configuration(const std::filesystem::path& folder);
+
+/// True if the folder holds a checkpoint.
+bool has_checkpoint(const std::filesystem::path& folder);
+
+/// True if the folder holds checkpoints, but none that is whole.
+bool has_only_broken_checkpoints(const std::filesystem::path& folder);
+
 } // namespace matrigrate::run

@@ -8,12 +8,26 @@
 #include "store/checkpoint.hpp"
 #include "store/trajectory_hash.hpp"
 
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <cmath>
 #include <memory>
 #include <utility>
 
 namespace matrigrate::run {
+
+namespace {
+
+/// "t_01800s"; times between full seconds keep their fraction: "t_00000.4s".
+std::string time_name(double t) {
+  const double rounded = std::round(1e3 * t) / 1e3;
+  const double whole = std::floor(rounded);
+  const std::string fraction = rounded > whole ? fmt::format("{:.3g}", rounded - whole).substr(1) : std::string();
+  return fmt::format("t_{:05.0f}{}s", whole, fraction);
+}
+
+} // namespace
 
 RunFolder::RunFolder(const std::filesystem::path& folder, const Parameters& p, const RunRecord& record,
                      const Simulation& simulation, store::RunMemory memory, const std::filesystem::path& from)

@@ -2,7 +2,7 @@
 
 #include "run/cadence.hpp"
 #include "run/folder_lock.hpp"
-#include "run/output/output.hpp"
+#include "run/output.hpp"
 #include "simulation/simulation.hpp"
 #include "store/saved_frames.hpp"
 

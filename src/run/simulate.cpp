@@ -74,11 +74,8 @@ public:
       m_simulation.reset();         // frees the memory that all frames together need,
       platform::give_back_memory(); // and gives it back
       m_record.trajectory_hash = m_folder->trajectory_hash();
-      const std::vector<CellResult> cells = m_folder->finish({.s = last,
-                                                              .status = status_text(),
-                                                              .failed = status == RunStatus::failed,
-                                                              .record = m_record,
-                                                              .page_template = m_options.page_template});
+      const std::vector<CellResult> cells = m_folder->finish(
+          {.s = last, .status = status_text(), .record = m_record, .page_template = m_options.page_template});
       m_record.note_end();
       if (status == RunStatus::done) m_record.files = result_fingerprints(m_options.folder);
       m_folder->write_record(m_record);

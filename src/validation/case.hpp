@@ -2,7 +2,7 @@
 
 #include "draw/particle_picture.hpp"
 #include "parameters/parameters.hpp"
-#include "report/plot.hpp"
+#include "report/verdict_page.hpp"
 #include "tables/table.hpp"
 
 #include <functional>

@@ -1,6 +1,6 @@
 #include "program.hpp"
 
-#include "tables/csv.hpp"
+#include "tables/table.hpp"
 
 #include <cstdlib>
 

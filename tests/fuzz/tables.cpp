@@ -1,7 +1,7 @@
 #include "target.hpp"
 
 #include "base/failure.hpp"
-#include "tables/csv.hpp"
+#include "tables/table.hpp"
 
 #include <algorithm>
 #include <cmath>

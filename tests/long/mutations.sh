@@ -41,7 +41,7 @@ src/run/store/saved_frames.cpp|saved.size() < times.size()|saved.empty()|store|f
 src/run/store/run_memory.cpp|text_hash(text) != hash|hash.empty()|store|a table that was edited is taken
 src/run/observe/tracks.cpp|= times[1] - times[0];|= times.back() - times[0];|observe|the interval of even times is the whole time
 src/run/cadence.hpp|(t + m_slack) / m_interval|t / m_interval|run|an event is due twice where times are rounded down
-src/run/stopped_run.cpp|expected != configuration_hash(found.p)|expected.empty()|run|a checkpoint of another scenario is taken
+src/run/resume.cpp|expected != configuration_hash(found.p)|expected.empty()|run|a checkpoint of another scenario is taken
 src/run/run_record.cpp|q.run.threads = threads_in_texts;||run|the configuration hash depends on the number of threads
 src/study/study_plan/study.cpp|without_folder(value) + value.substr(hash)|value|study_plan|seeds depend on the folder of a file
 src/study/study_plan/targets.cpp|std::sqrt(squares / weights)|std::sqrt(squares)|study_plan|the distance of a run is no mean over targets

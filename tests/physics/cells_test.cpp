@@ -1,7 +1,7 @@
 #include "cell/geometry.hpp"
 #include "gel.hpp"
-#include "observe/group.hpp"
 #include "observe/health.hpp"
+#include "observe/tracks.hpp"
 #include "simulation/advance.hpp"
 #include "simulation/march.hpp"
 #include "simulation/start.hpp"

@@ -2,13 +2,17 @@
 
 #include "cell/geometry.hpp"
 #include "cell/nucleus.hpp"
+#include "contact/cells.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <limits>
 #include <numeric>
+#include <set>
+#include <utility>
 
 namespace matrigrate {
 
@@ -46,6 +50,72 @@ std::vector<ProtrusionRecord> protrusion_records(const Cell& cell) {
   for (const Protrusion& protrusion : cell.protrusions) records.push_back(protrusion.record);
   std::ranges::sort(records, {}, &ProtrusionRecord::id);
   return records;
+}
+
+namespace {
+
+double spread_of(const std::vector<Vec2>& centres, const Vec2& mean) {
+  double sum = 0.0;
+  for (const Vec2& x : centres) sum += (x - mean).squaredNorm();
+  return std::sqrt(sum / static_cast<double>(centres.size()));
+}
+
+double mean_nearest(const std::vector<Vec2>& centres) {
+  if (centres.size() < 2) return undefined;
+  double sum = 0.0;
+  for (std::size_t k = 0; k < centres.size(); ++k) {
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t j = 0; j < centres.size(); ++j)
+      if (j != k) least = std::min(least, (centres[j] - centres[k]).squaredNorm());
+    sum += std::sqrt(least);
+  }
+  return sum / static_cast<double>(centres.size());
+}
+
+/// The row of a cell that ends last before the window.
+const TrackRow* before_window(std::span<const TrackRow> rows, std::uint32_t cell, double t) {
+  for (auto row = rows.rbegin(); row != rows.rend(); ++row)
+    if (row->cell == cell && row->t <= t - group_window * (1.0 - 1e-9)) return &*row;
+  return nullptr;
+}
+
+void add_motion(GroupRow& group, const State& s, const std::vector<Vec2>& centres, std::span<const TrackRow> rows) {
+  Vec2 directions = Vec2::Zero();
+  double speeds = 0.0;
+  for (std::size_t k = 0; k < centres.size(); ++k) {
+    const TrackRow* row = before_window(rows, s.cells[k].id, s.t);
+    if (row == nullptr) return;
+    const Vec2 d = centres[k] - row->centre;
+    speeds += d.norm() / (s.t - row->t);
+    if (d.norm() > 0.0) directions += d.normalized();
+  }
+  const auto n = static_cast<double>(centres.size());
+  group.speed = 3600.0 * speeds / n;
+  group.order = directions.norm() / n;
+  if (group.order > 0.0) group.direction = std::atan2(directions.y(), directions.x());
+}
+
+} // namespace
+
+GroupRow group_row(const State& s, std::span<const TrackRow> earlier, const Parameters& p) {
+  GroupRow group{.t = s.t, .step = s.step};
+  if (s.cells.empty()) return group;
+  std::vector<Vec2> centres;
+  for (const Cell& cell : s.cells) {
+    centres.push_back(centre_of_mass(cell.cortex));
+    group.centre += centres.back();
+  }
+  group.centre /= static_cast<double>(centres.size());
+  group.spread = spread_of(centres, group.centre);
+  group.nearest = mean_nearest(centres);
+  add_motion(group, s, centres, earlier);
+  std::set<std::pair<std::uint32_t, std::uint32_t>> pairs;
+  for (const CellTouch& touch : cell_touches(s.cells, cell_reach(p.contact.cells))) {
+    pairs.insert(std::minmax(touch.cell, touch.other));
+    group.gap = std::fmin(group.gap, touch.gap);
+  }
+  group.contacts = pairs.size();
+  return group;
 }
 
 } // namespace matrigrate

@@ -4,7 +4,7 @@
 #include "parameters/laws/law.hpp"
 #include "parameters/schema.hpp"
 #include "report/film_json.hpp"
-#include "tables/csv.hpp"
+#include "tables/table.hpp"
 
 #include <nlohmann/json.hpp>
 

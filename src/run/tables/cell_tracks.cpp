@@ -4,7 +4,7 @@
 #include "base/file.hpp"
 #include "observe/readout_table.hpp"
 #include "parameters/document.hpp"
-#include "tables/csv.hpp"
+#include "tables/table.hpp"
 #include "tracks/read_tracks.hpp"
 
 #include <fmt/format.h>

@@ -2,7 +2,7 @@
 
 #include "base/failure.hpp"
 #include "observe/readout_table.hpp"
-#include "tables/csv.hpp"
+#include "tables/table.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "observe/group.hpp"
 #include "observe/health.hpp"
 #include "observe/readouts.hpp"
 #include "observe/tracks.hpp"

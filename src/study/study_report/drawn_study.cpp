@@ -10,7 +10,7 @@
 #include "study_plan/names.hpp"
 #include "study_results/results.hpp"
 #include "tables/cell_tracks.hpp"
-#include "tables/csv.hpp"
+#include "tables/table.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

@@ -14,7 +14,7 @@
 #include "study_plan/names.hpp"
 #include "study_plan/settings.hpp"
 #include "study_report/drawn_study.hpp"
-#include "tables/csv.hpp"
+#include "tables/table.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -4,7 +4,7 @@
 #include "base/file.hpp"
 #include "observe/readout_table.hpp"
 #include "run/folder_state.hpp"
-#include "tables/csv.hpp"
+#include "tables/table.hpp"
 
 #include <fmt/format.h>
 

@@ -2,7 +2,6 @@
 
 #include "base/failure.hpp"
 #include "base/file.hpp"
-#include "tables/csv.hpp"
 #include "tables/table.hpp"
 
 #include <fmt/format.h>

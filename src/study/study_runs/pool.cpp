@@ -5,7 +5,7 @@
 #include "base/platform.hpp"
 #include "base/process.hpp"
 #include "run/estimate.hpp"
-#include "run/stopped_run.hpp"
+#include "run/resume.hpp"
 
 #include <fmt/format.h>
 

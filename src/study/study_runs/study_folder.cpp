@@ -8,11 +8,11 @@
 #include "parameters/write.hpp"
 #include "run/estimate.hpp"
 #include "run/folder_state.hpp"
+#include "run/resume.hpp"
 #include "run/run_record.hpp"
-#include "run/stopped_run.hpp"
 #include "statistics/sample.hpp"
 #include "study_plan/names.hpp"
-#include "tables/csv.hpp"
+#include "tables/table.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

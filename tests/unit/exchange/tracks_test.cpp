@@ -1,4 +1,3 @@
-#include "exchange/openvt.hpp"
 #include "exchange/run_tracks.hpp"
 #include "unit/draw/markup.hpp"
 

@@ -1,5 +1,4 @@
 #include "base/random.hpp"
-#include "observe/group.hpp"
 #include "observe/readouts.hpp"
 #include "observe/tracks.hpp"
 #include "state/cortex.hpp"

@@ -6,7 +6,7 @@
 #include "study_plan/names.hpp"
 #include "study_report/drawn_study.hpp"
 #include "study_report/study_files.hpp"
-#include "tables/csv.hpp"
+#include "tables/table.hpp"
 #include "unit/study_plan/studies.hpp"
 
 #include <gtest/gtest.h>

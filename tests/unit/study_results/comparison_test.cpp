@@ -1,7 +1,7 @@
 #include "unit/study_plan/studies.hpp"
 
 #include "study_results/comparison.hpp"
-#include "tables/csv.hpp"
+#include "tables/table.hpp"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,6 @@
 
 #include "base/failure.hpp"
 #include "observe/readout_table.hpp"
-#include "tables/csv.hpp"
 #include "tables/table.hpp"
 #include "unit/study_plan/studies.hpp"
 

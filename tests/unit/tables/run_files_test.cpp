@@ -2,7 +2,7 @@
 
 #include "base/failure.hpp"
 #include "base/file.hpp"
-#include "tables/csv.hpp"
+#include "tables/table.hpp"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>

@@ -1,6 +1,5 @@
 #include "base/failure.hpp"
 #include "base/text.hpp"
-#include "tables/csv.hpp"
 #include "tables/table.hpp"
 
 #include <gtest/gtest.h>

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "run/finished_run.hpp"
-#include "run/folder_lock.hpp"
 
 #include <cstddef>
 #include <filesystem>
@@ -9,7 +8,7 @@
 #include <string>
 #include <vector>
 
-/// The parts of the verb export.
+/// The kinds of the verb export that other programs make.
 namespace matrigrate::apps {
 
 // Exports that the page of the run draws in a browser without a window (viewer/drive.mjs).
@@ -60,29 +59,5 @@ std::string python_for(const PythonKinds& kinds);
 /// @throws InputOutputError with what Python says, if it fails
 void export_by_python(const run::FinishedRun& run, const PythonKinds& kinds, const std::string& python,
                       const std::string& title, const std::filesystem::path& folder);
-
-// Exports that other programs make.
-
-/// A folder that is gone with all that is in it at the end of this object. What an export has left in it whose process
-/// was killed goes before.
-struct Scratch {
-  std::filesystem::path path; ///< with a folder `made` in it
-  run::FolderLock lock;
-
-  explicit Scratch(const std::filesystem::path& in);
-  Scratch(const Scratch&) = delete;
-  Scratch& operator=(const Scratch&) = delete;
-  ~Scratch();
-};
-
-/// Runs a program to its end.   @param log  what it says   @return its exit code
-int exit_code_of(const std::vector<std::string>& command, const std::filesystem::path& log);
-
-/// The same.
-/// @throws InputOutputError with the last line that it says, if it fails
-void call(const std::vector<std::string>& command, const Scratch& scratch);
-
-/// Moves what was made to a folder.
-void move_made(const Scratch& scratch, const std::filesystem::path& to);
 
 } // namespace matrigrate::apps

@@ -1,24 +1,92 @@
-#include "apps/export/exports.hpp"
+#include "apps/export/other_programs.hpp"
 #include "apps/shipped_pages.hpp"
+#include "apps/terminal/terminal.hpp"
 #include "apps/verbs.hpp"
 #include "base/failure.hpp"
 #include "base/file.hpp"
+#include "base/platform.hpp"
+#include "base/process.hpp"
 #include "report/run_page.hpp"
+#include "run/folder_lock.hpp"
+#include "run/provenance.hpp"
+#include "run/run_record.hpp"
+#include "store/field_file.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
+
+#include <fcntl.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <cmath>
 #include <cstdlib>
+#include <fstream>
 #include <sstream>
+#include <thread>
 #include <utility>
 
 namespace matrigrate::apps {
 
 namespace {
+
+std::filesystem::path drawing_folder(const std::filesystem::path& in) {
+  std::filesystem::path folder = std::filesystem::absolute(in / ".drawing");
+  if (std::filesystem::is_symlink(folder)) // what it leads to is not ours to remove
+    throw InputOutputError(fmt::format("{}: is a symbolic link; remove it", folder.string()));
+  make_folder(folder);
+  return folder;
+}
+
+/// A folder that is gone with all that is in it at the end of this object. What an export has left in it whose process
+/// was killed goes before.
+struct Scratch {
+  std::filesystem::path path; ///< with a folder `made` in it
+  run::FolderLock lock;
+
+  explicit Scratch(const std::filesystem::path& in)
+      : path(drawing_folder(in)), lock(path, run::FolderLock::Kind::alone) {
+    for (const auto& left : std::filesystem::directory_iterator(path))
+      if (left.path().filename() != ".lock") std::filesystem::remove_all(left.path());
+    std::filesystem::create_directory(path / "made");
+  }
+  Scratch(const Scratch&) = delete;
+  Scratch& operator=(const Scratch&) = delete;
+  ~Scratch() {
+    std::error_code ignored;
+    std::filesystem::remove_all(path, ignored);
+  }
+};
+
+/// Runs a program to its end.   @param log  what it says   @return its exit code
+int exit_code_of(const std::vector<std::string>& command, const std::filesystem::path& log) {
+  const int output = ::open(log.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, S_IRUSR | S_IWUSR);
+  Child child(command, output >= 0 ? output : STDERR_FILENO);
+  if (output >= 0) ::close(output);
+  while (!child.ended()) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  return *child.ended();
+}
+
+/// The same.
+/// @throws InputOutputError with the last line that it says, if it fails
+void call(const std::vector<std::string>& command, const Scratch& scratch) {
+  const std::filesystem::path log = scratch.path / "said.txt";
+  const int code = exit_code_of(command, log);
+  if (code == 0) return;
+  std::ifstream said(log);
+  std::string last = fmt::format("{} ended with exit code {}", command.front(), code);
+  for (std::string line; std::getline(said, line);)
+    if (!line.empty()) last = line;
+  throw InputOutputError(last);
+}
+
+/// Moves what was made to a folder.
+void move_made(const Scratch& scratch, const std::filesystem::path& to) {
+  for (const auto& file : std::filesystem::directory_iterator(scratch.path / "made"))
+    rename_file(file.path(), to / file.path().filename());
+}
 
 using nlohmann::json;
 
@@ -98,6 +166,18 @@ void drive(const Scratch& scratch, const json& job) {
   call({"node", scratch.path / "drive.mjs", scratch.path / "job.json"}, scratch);
 }
 
+/// Where the package lies beside this program: in a clone, in the package itself, in an installed tree; empty if it
+/// does not.
+std::string package_place() {
+  std::error_code error;
+  const std::filesystem::path folder = std::filesystem::canonical(platform::this_program(), error).parent_path();
+  for (const char* way :
+       {"../../../python", "../..", "../lib/python3/dist-packages", "../../lib/python3/dist-packages"})
+    if (std::filesystem::exists(folder / way / "matrigrate" / "exchange.py", error))
+      return (folder / way).lexically_normal().string();
+  return {};
+}
+
 } // namespace
 
 void require_drawable(const run::FinishedRun& run, const DrawnOptions& options) {
@@ -148,6 +228,44 @@ void export_drawn(const run::FinishedRun& run, const DrawnKinds& kinds, const Dr
     one.update({{"browser", installed_browser()}, {"folder", scratch.path}});
     drive(scratch, one);
   }
+  move_made(scratch, folder);
+}
+
+std::string python_for(const PythonKinds& kinds) {
+  if (!kinds.any()) return {};
+  if (const std::string place = package_place(); !place.empty()) {
+    const char* given = std::getenv("PYTHONPATH");
+    const std::string known = given != nullptr && *given != '\0' ? std::string(":") + given : std::string();
+    ::setenv("PYTHONPATH", (place + known).c_str(), 1);
+  }
+  const char* named = std::getenv("PYTHON");
+  const std::vector<std::string> candidates = named != nullptr && *named != '\0'
+                                                  ? std::vector<std::string>{named}
+                                                  : std::vector<std::string>{"python3", "/usr/bin/python3"};
+  const std::string needed = fmt::format("import matrigrate.exchange, h5py{}", kinds.ome_tiff ? ", tifffile" : "");
+  for (const std::string& python : candidates)
+    if (exit_code_of({python, "-P", "-B", "-c", needed}, "/dev/null") == 0) return python;
+  throw InputOutputError(fmt::format(
+      "{0} by Python, which needs the package matrigrate and its libraries; Debian: apt-get install "
+      "python3-pandas python3-h5py python3-xxhash{1}; PYTHON names another Python",
+      kinds.ome_tiff ? "--ome-tiff is made" : "--simularium is made", kinds.ome_tiff ? " python3-tifffile" : ""));
+}
+
+void export_by_python(const run::FinishedRun& run, const PythonKinds& kinds, const std::string& python,
+                      const std::string& title, const std::filesystem::path& folder) {
+  if (!kinds.any()) return;
+  const Scratch scratch(folder);
+  store::write_field_files(scratch.path, run.film, run::field_origin(run.p, {}));
+  constexpr const char* script = "import sys; from matrigrate import exchange; sys.exit(exchange.main(sys.argv[1:]))";
+  const std::string made = (scratch.path / "made").string();
+  std::vector<std::string> command{python, "-P", "-B", "-c", script}; // -P: nothing from the working directory
+  command.insert(command.end(), {fmt::format("--fields={}", (scratch.path / "fields.h5").string()),
+                                 fmt::format("--title={}", title), fmt::format("--program={}", run::version_text())});
+  if (kinds.pixel) command.push_back(fmt::format("--pixel={}", *kinds.pixel));
+  if (kinds.ome_tiff) command.push_back(fmt::format("--ome-tiff={}/fields.ome.tif", made));
+  if (kinds.simularium) command.push_back(fmt::format("--simularium={}/run.simularium", made));
+  command.insert(command.end(), {"--", run.folder.string()});
+  call(command, scratch);
   move_made(scratch, folder);
 }
 

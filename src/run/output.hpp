@@ -39,7 +39,6 @@ struct RunSoFar {
 struct RunFinish {
   const State& s;
   std::string status; ///< a sentence on how the run ended
-  bool failed;
   const RunRecord& record;
   std::string_view page_template;     ///< of the report; empty: none is written
   std::vector<CellResult> cells = {}; ///< results of each
@@ -74,8 +73,5 @@ HealthRow health_row(const RunSoFar& run, const State& s, const Workspace& w, He
 
 /// @throws NumericalFailure if the computation must not go on
 void require_health(const RunSoFar& run, const State& s, const HealthRow& row);
-
-/// "t_01800s"; times between full seconds keep their fraction: "t_00000.4s".
-std::string time_name(double t);
 
 } // namespace matrigrate::run
