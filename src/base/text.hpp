@@ -1,6 +1,7 @@
 #pragma once
 
 #include <charconv>
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -19,6 +20,9 @@ std::optional<Number> number_in(std::string_view text) {
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   return error == std::errc() && end == text.data() + text.size() ? std::optional(value) : std::nullopt;
 }
+
+/// Bytes of the UTF-8 character that starts a text that is not empty; 0 if it is none.
+std::size_t character_length(std::string_view text);
 
 // Human-readable durations. Test: tests/unit/base/base_test.cpp
 

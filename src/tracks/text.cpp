@@ -1,5 +1,6 @@
 #include "tracks/table.hpp"
 
+#include "base/text.hpp"
 #include "tracks/layouts.hpp"
 
 #include <fmt/format.h>
@@ -42,17 +43,10 @@ void append(std::uint32_t c, std::string& text) {
 }
 
 bool is_utf8(std::string_view text) {
-  for (std::size_t i = 0; i < text.size();) {
-    const unsigned first = byte_at(text, i);
-    const std::size_t more = first < 0x80                    ? 0
-                             : first >= 0xc2 && first < 0xe0 ? 1
-                             : first >= 0xe0 && first < 0xf0 ? 2
-                             : first >= 0xf0 && first < 0xf5 ? 3
-                                                             : 4;
-    if (more == 4 || i + more >= text.size()) return false;
-    for (std::size_t k = 1; k <= more; ++k)
-      if ((byte_at(text, i + k) & 0xc0U) != 0x80) return false;
-    i += more + 1;
+  while (!text.empty()) {
+    const std::size_t length = character_length(text);
+    if (length == 0) return false;
+    text.remove_prefix(length);
   }
   return true;
 }
