@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <charconv>
 #include <optional>
 #include <span>
 
@@ -166,24 +167,9 @@ private:
   [[noreturn]] void refuse(const Spelling& stranger) const { throw FormulaFault(m_at, std::string(stranger.here)); }
 
   std::size_t bytes_of_number() const {
-    std::size_t k = 0;
-    const auto digits = [&] {
-      while (k < m_text.size() && is_decimal(m_text[k])) ++k;
-    };
-    digits();
-    if (k < m_text.size() && m_text[k] == '.') {
-      ++k;
-      digits();
-    }
-    std::size_t exponent = k + 1;
-    if (k < m_text.size() && (m_text[k] == 'e' || m_text[k] == 'E')) {
-      if (exponent < m_text.size() && (m_text[exponent] == '+' || m_text[exponent] == '-')) ++exponent;
-      if (exponent < m_text.size() && is_decimal(m_text[exponent])) {
-        k = exponent;
-        digits();
-      }
-    }
-    return k;
+    double number = 0.0; // an e without digits behind it is no exponent
+    const char* const end = std::from_chars(m_text.data(), m_text.data() + m_text.size(), number).ptr;
+    return static_cast<std::size_t>(end - m_text.data());
   }
 
   /// Letters of any alphabet, digits, and points between letters, as in np.exp.
