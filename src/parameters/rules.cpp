@@ -46,30 +46,21 @@ std::string hole(const Parameters& p) {
       hole_radius, free_radius);
 }
 
-bool has_attractant(const Parameters& p) {
-  return !p.ecm.fields.attractant.empty() || !p.ecm.fields.attractant_source.empty();
-}
-
-/// Whether a law of initiation depends on an argument; the defaults depend on none.
-bool initiation_uses(const Parameters& p, std::string_view argument) {
-  return std::ranges::any_of(std::array{"laws.initiation_bias", "laws.initiation_rate"}, [&](std::string_view path) {
-    return is_changed(*find_row(path), p) && Law(path, p).uses(argument);
-  });
-}
-
-std::string chemotaxis(const Parameters& p) {
-  if (!initiation_uses(p, "occupancy") || has_attractant(p)) return {};
-  return "there is no attractant to sense; give ecm.fields.attractant or ecm.fields.attractant_source";
-}
-
-std::string haptotaxis(const Parameters& p) {
-  if (!initiation_uses(p, "ligand") || !p.ecm.fields.ligand.empty()) return {};
-  return "ligand is the same everywhere, so there is nothing to sense; give ecm.fields.ligand";
-}
-
-std::string guidance(const Parameters& p) {
-  if (!initiation_uses(p, "alignment") || p.fibres.arrangement == FibreArrangement::uniaxial) return {};
-  return "there are no fibres along a direction to follow; set fibres.arrangement to uniaxial";
+/// A cue that initiation senses: where a law of it depends on `argument` (the defaults depend on none), there must be
+/// something to sense.
+/// @param keys  of what there is to sense
+Rule to_sense(std::string name, std::string_view argument, std::vector<std::string_view> keys,
+              bool (*is_there)(const Parameters&), const char* missing) {
+  constexpr std::array laws{"laws.initiation_bias", "laws.initiation_rate"};
+  keys.insert(keys.begin(), {laws[0], laws[1], "laws.constants"});
+  const auto broken = [=](const Parameters& p) -> std::string {
+    const auto senses = [&](std::string_view path) {
+      return is_changed(*find_row(path), p) && Law(path, p).uses(argument);
+    };
+    return std::ranges::any_of(laws, senses) && !is_there(p) ? missing : "";
+  };
+  return {
+      std::move(name), std::move(keys), broken, {readable_rule(*find_row(laws[0])), readable_rule(*find_row(laws[1]))}};
 }
 
 std::string fibre_stiffness(const Parameters& p) {
@@ -184,11 +175,6 @@ std::vector<Rule> with_laws(std::vector<Rule> rules) {
   return all;
 }
 
-/// What a cue is sensed by.
-std::vector<std::string> of_initiation() {
-  return {readable_rule(*find_row("laws.initiation_bias")), readable_rule(*find_row("laws.initiation_rate"))};
-}
-
 } // namespace
 
 std::vector<std::string> lattice_rules() { return {enough_neighbours, some_is_free, few_enough}; }
@@ -217,19 +203,20 @@ std::span<const Rule> rules() {
       {"a base lies on its protrusion", {"adhesion.pinned_particles", "protrusion.half_width"}, pinned_base},
       {"orphans have less support than the floor", {"ecm.orphan_support", "ecm.support_floor"}, supports},
       {few_enough, {"ecm.particle_spacing", "ecm.radius", "ecm.lattice"}, particles},
-      {"there is attractant to sense",
-       {"laws.initiation_bias", "laws.initiation_rate", "laws.constants", "ecm.fields.attractant",
-        "ecm.fields.attractant_source"},
-       chemotaxis,
-       of_initiation()},
-      {"there is ligand to sense",
-       {"laws.initiation_bias", "laws.initiation_rate", "laws.constants", "ecm.fields.ligand"},
-       haptotaxis,
-       of_initiation()},
-      {"there are fibres to follow",
-       {"laws.initiation_bias", "laws.initiation_rate", "laws.constants", "fibres.arrangement"},
-       guidance,
-       of_initiation()},
+      to_sense(
+          "there is attractant to sense", "occupancy", {"ecm.fields.attractant", "ecm.fields.attractant_source"},
+          [](const Parameters& p) {
+            return !p.ecm.fields.attractant.empty() || !p.ecm.fields.attractant_source.empty();
+          },
+          "there is no attractant to sense; give ecm.fields.attractant or ecm.fields.attractant_source"),
+      to_sense(
+          "there is ligand to sense", "ligand", {"ecm.fields.ligand"},
+          [](const Parameters& p) { return !p.ecm.fields.ligand.empty(); },
+          "ligand is the same everywhere, so there is nothing to sense; give ecm.fields.ligand"),
+      to_sense(
+          "there are fibres to follow", "alignment", {"fibres.arrangement"},
+          [](const Parameters& p) { return p.fibres.arrangement == FibreArrangement::uniaxial; },
+          "there are no fibres along a direction to follow; set fibres.arrangement to uniaxial"),
       {"fibres have a stiffness", {"fibres.field.stiffness", "fibres.stiffness"}, fibre_stiffness},
       {"what is released diffuses", {"ecm.fields.attractant_source", "cues.diffusion"}, source},
       {"not too many steps", {"run.time_step", "run.duration"}, steps},
