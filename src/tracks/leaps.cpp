@@ -1,7 +1,7 @@
-#include "tracks/leaps.hpp"
-
 #include "parameters/document.hpp"
 #include "statistics/sample.hpp"
+#include "tracks/read_tracks.hpp"
+#include "tracks/spots.hpp"
 
 #include <fmt/format.h>
 

@@ -246,8 +246,8 @@ Clock clock_of(const Table& table, Findings& findings) {
   double first = std::numeric_limits<double>::infinity();
   for (const SheetRow& row : table.rows) {
     const std::string& field = row.field(table.t);
-    if (!clock.runs && !says_nothing(field) && !parse_clock(field, true)) return clock; // numbers
     const auto time = parse_clock(field, true);
+    if (!time && !clock.runs && !says_nothing(field)) return clock; // numbers
     if (!time) continue;
     clock.runs = true;
     two = two || (time->parts == 2 && !time->dated);

@@ -6,7 +6,6 @@
 #include "parameters/document.hpp"
 #include "statistics/sample.hpp"
 #include "tracks/layouts.hpp"
-#include "tracks/leaps.hpp"
 #include "tracks/table.hpp"
 
 #include <fmt/format.h>

@@ -5,6 +5,7 @@
 #include "tracks/table.hpp"
 
 #include <cstddef>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -64,5 +65,34 @@ Spots mtrackj_spots(std::string_view text, Findings& findings);
 /// states is a fault. What the caller states counts; if the file states another, a note says so. Test:
 /// tests/unit/tracks/reading_test.cpp
 void calibrate(Spots& spots, const TrackOptions& options, Findings& findings);
+
+// Steps that no cell makes: of tracks that go on in another movie. Test: tests/unit/tracks/reading_test.cpp
+
+struct Tracks;
+
+/// From one position of a track to the next one that is there.
+struct Step {
+  double dx, dy;
+  double gap = 1.0; ///< intervals
+
+  /// As of one interval, if the cell walks at random.
+  double length() const;
+};
+
+/// Median length of the steps over one interval that move at all; 0 if there is none.
+double usual_step(std::span<const Step> steps);
+
+/// What steps of several tracks at one time are.
+enum class Together {
+  walks,
+  shifts, ///< the stage moved: all step alike
+  leaps   ///< half of them are longer than ten usual steps, nearly all than three
+};
+/// @param sure  whether a column changes with them: then half of it is enough for steps over one interval
+Together together(std::span<const Step> steps, double usual, bool sure = false);
+
+/// Looks for times at which all tracks leap, which is another movie, and for single leaps. A fault if all leap from one
+/// interval to the next, unless the caller says that there are no movies; else a note.
+void look_for_leaps(const Tracks& tracks, const TrackOptions& options, Findings& findings);
 
 } // namespace matrigrate::tracks

@@ -1,7 +1,6 @@
 #include "parameters/document.hpp"
 #include "statistics/sample.hpp"
 #include "tracks/layouts.hpp"
-#include "tracks/leaps.hpp"
 #include "tracks/spots.hpp"
 #include "tracks/table.hpp"
 

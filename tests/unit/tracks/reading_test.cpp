@@ -1,6 +1,6 @@
 #include "tracks/layouts.hpp"
-#include "tracks/leaps.hpp"
 #include "tracks/options.hpp"
+#include "tracks/spots.hpp"
 #include "unit/tracks/reading.hpp"
 
 #include <fmt/format.h>
