@@ -62,8 +62,8 @@ double sheared_lattice_viscosity(const EcmParameters& p, double shear) {
   return sum / (p.thickness * V0);
 }
 
-Line fit_line(std::span<const double> x, std::span<const double> y) {
-  if (x.size() != y.size() || x.size() < 2) throw std::invalid_argument("fit_line: needs two points or more");
+double fit_slope(std::span<const double> x, std::span<const double> y) {
+  if (x.size() != y.size() || x.size() < 2) throw std::invalid_argument("fit_slope: needs two points or more");
   const double n = static_cast<double>(x.size());
   double sx = 0.0, sy = 0.0, sxx = 0.0, sxy = 0.0;
   for (std::size_t k = 0; k < x.size(); ++k) {
@@ -72,8 +72,7 @@ Line fit_line(std::span<const double> x, std::span<const double> y) {
     sxx += x[k] * x[k];
     sxy += x[k] * y[k];
   }
-  const double slope = (n * sxy - sx * sy) / (n * sxx - sx * sx);
-  return {.slope = slope, .intercept = (sy - slope * sx) / n};
+  return (n * sxy - sx * sy) / (n * sxx - sx * sx);
 }
 
 double fit_time_constant(std::span<const double> t, std::span<const double> y, double y_end) {
@@ -85,7 +84,7 @@ double fit_time_constant(std::span<const double> t, std::span<const double> y, d
     times.push_back(t[k]);
     logs.push_back(std::log(left));
   }
-  return -1.0 / fit_line(times, logs).slope;
+  return -1.0 / fit_slope(times, logs);
 }
 
 } // namespace matrigrate::validation

@@ -29,12 +29,8 @@ double lattice_viscosity(const EcmParameters& p);
 /// @param shear  dx/dy [-]
 double sheared_lattice_viscosity(const EcmParameters& p, double shear);
 
-/// A straight line y = intercept + slope x through points by least squares.
-struct Line {
-  double slope;
-  double intercept;
-};
-Line fit_line(std::span<const double> x, std::span<const double> y);
+/// Slope of the straight line through points by least squares.
+double fit_slope(std::span<const double> x, std::span<const double> y);
 
 /// Time constant of y = y_end - A exp(-t/tau) from its logarithmic slope where 5 % to 95 % of the way is done.
 double fit_time_constant(std::span<const double> t, std::span<const double> y, double y_end);

@@ -95,7 +95,7 @@ Stretch read(const Simulation& a) {
     u.push_back(a.s.ecm.displacement(i).y());
   }
   const Vec2 grip = clamp_force(a.s, a.p, a.w, [](const Vec2& X) { return X.y() > 0.0; });
-  return {fit_line(Y, u).slope, 0.0, grip.y() / (a.s.ecm.period_x * a.p.ecm.thickness)};
+  return {fit_slope(Y, u), 0.0, grip.y() / (a.s.ecm.period_x * a.p.ecm.thickness)};
 }
 
 } // namespace

@@ -18,7 +18,7 @@ double profile_viscosity(const EcmState& ecm, double b, double half_width) {
   report::Series profile; // of v over y^2
   for (std::size_t i = 0; i < ecm.size(); ++i)
     if (!ecm.clamped[i] && std::abs(ecm.x[i].y()) <= half_width) profile.add(ecm.x[i].y() * ecm.x[i].y(), ecm.v[i].x());
-  return -b / (2.0 * fit_line(profile.x, profile.y).slope);
+  return -b / (2.0 * fit_slope(profile.x, profile.y));
 }
 
 } // namespace

@@ -41,8 +41,8 @@ Reading read(const Simulation& a) {
     P_xx += piola_kirchhoff(cauchy_stress(ecm.rho[i], ecm.S[i], K), deformation_gradient(ecm, a.w.reference, i))(0, 0);
   }
   const Vec2 grip = clamp_force(a.s, a.p, a.w, [](const Vec2& at) { return at.x() > 0.0; });
-  return {.strain_x = fit_line(X, u_x).slope,
-          .strain_y = fit_line(Y, u_y).slope,
+  return {.strain_x = fit_slope(X, u_x),
+          .strain_y = fit_slope(Y, u_y),
           .stress = P_xx / static_cast<double>(X.size()),
           .grip_stress = grip.x() / (height * a.p.ecm.thickness)};
 }
