@@ -18,7 +18,6 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <cmath>
 #include <memory>
 #include <random>
 #include <system_error>
@@ -133,9 +132,7 @@ Request request_of(SampleArguments options) {
   return request;
 }
 
-Json number_or_null(double value) { return std::isfinite(value) ? Json(value) : Json(); }
-
-/// How far the read-outs are from targets, in their errors; the distance is null if one of them is not defined.
+/// How far the read-outs are from targets, in their errors; the distance is NaN if one of them is not defined.
 void add_distance(Json& json, const std::vector<study::Target>& targets, const std::vector<double>& readouts) {
   Json list = Json::array();
   std::vector<double> all;
@@ -148,10 +145,10 @@ void add_distance(Json& json, const std::vector<study::Target>& targets, const s
                     {"high", target.high},
                     {"error", target.error},
                     {"weight", target.weight},
-                    {"z", number_or_null(z)}});
+                    {"z", z}});
   }
   json["targets"] = list;
-  json["distance"] = number_or_null(study::distance(targets, all));
+  json["distance"] = study::distance(targets, all);
 }
 
 RunOutcome run_in(const TemporaryFolder& folder, const Parameters& p, const SampleArguments& options) {
@@ -177,10 +174,10 @@ int sample(const SampleArguments& options) {
   const std::vector<double> values = study::readouts_of(folder.path);
   const std::vector<std::string> names = study::all_readouts();
   Json readouts = Json::object();
-  for (std::size_t i = 0; i < names.size(); ++i) readouts[names[i]] = number_or_null(values[i]);
+  for (std::size_t i = 0; i < names.size(); ++i) readouts[names[i]] = values[i];
   Json json{{"seed", request.p.run.seed}, {"readouts", readouts}};
   if (!options.targets.empty()) add_distance(json, request.targets, values);
-  const std::string text = json.dump() + "\n";
+  const std::string text = json.dump() + "\n"; // what is not finite is null
   request.file.empty() ? print(text) : write_file(request.file, text);
   return done;
 }

@@ -15,7 +15,6 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <cmath>
 #include <filesystem>
 #include <memory>
 #include <utility>
@@ -42,10 +41,6 @@ struct TracksArguments {
   bool records = false;
 };
 
-Json number_json(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
-
-std::string text_of_separator(char separator) { return separator == '\0' ? std::string() : std::string(1, separator); }
-
 Json columns_json(const tracks::ColumnNames& columns) {
   return {
       {"track", columns.track}, {"t", columns.t},         {"frame", columns.frame},     {"x", columns.x},
@@ -60,8 +55,8 @@ Json readouts_json(const TrackReadouts& found) {
   Json json = Json::object();
   for (std::size_t r = 0; r < tracks::track_readouts.size(); ++r) {
     const auto& [name, unit, meaning] = tracks::track_readouts[r];
-    json[std::string(name)] = {{"value", number_json(found.value[r])},
-                               {"standard_error", number_json(found.standard_error[r])},
+    json[std::string(name)] = {{"value", found.value[r]}, // null where it is not defined
+                               {"standard_error", found.standard_error[r]},
                                {"unit", unit},
                                {"meaning", meaning}};
   }
@@ -81,7 +76,7 @@ Json to_json(const TracksArguments& asked, const tracks::Tracks& cells, const Tr
   Json json{{"file", asked.file},
             {"layout", cells.layout},
             {"encoding", cells.encoding},
-            {"separator", text_of_separator(cells.separator)},
+            {"separator", std::string(cells.separator == '\0' ? 0 : 1, cells.separator)},
             {"decimal_comma", cells.decimal_comma},
             {"columns", columns_json(cells.columns)},
             {"um_per_unit", cells.scales.um_per_unit},
@@ -192,7 +187,7 @@ int read_and_tell(TracksArguments asked) {
   found.standard_error = tracks::standard_errors(found.value, parts.drawn(error, asked.resamples));
   if (!asked.output.empty()) write_file(asked.output, tracks::plain_csv(cells));
   if (asked.json) {
-    print(to_json(asked, cells, found).dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+    print_json(to_json(asked, cells, found));
     return done;
   }
   print(understood_text(cells));
