@@ -207,7 +207,7 @@ std::span<const FrameField<Bytes>> byte_fields() {
 std::vector<std::size_t> outline_ends(const OutlineFrame& outline) {
   const std::size_t n = outline.front.size();
   std::vector<std::size_t> ends;
-  for (std::size_t i = 1; i < n && !outline.cell.empty(); ++i)
+  for (std::size_t i = 1; i < std::min(n, outline.cell.size()); ++i) // of one length, but in files from anyone
     if (outline.cell[i] != outline.cell[i - 1]) ends.push_back(i);
   if (n > 0) ends.push_back(n);
   return ends;

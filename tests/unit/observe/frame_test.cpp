@@ -83,6 +83,15 @@ TEST(Frame, HoldsOneCellAfterTheOther) {
   EXPECT_TRUE(SmallRun().film().frames[0].outline.cell.empty());
 }
 
+TEST(Frame, TellsTheEndsOfCellsFromAsManyNumbersAsThereAre) {
+  OutlineFrame outline = SmallRun().film().frames[0].outline;
+  outline.front = {1, 1, 1};
+  outline.cell = {1, 2, 3};
+  EXPECT_EQ(outline_ends(outline), (std::vector<std::size_t>{1, 2, 3}));
+  outline.cell.resize(1); // the others are still in memory
+  EXPECT_EQ(outline_ends(outline), (std::vector<std::size_t>{3}));
+}
+
 TEST(Frame, HoldsTheForceOfActomyosinUnderTheLawThatRuns) {
   SmallRun run;
   const auto most = [&] { return std::ranges::max(run.film().frames[0].outline.force); };
