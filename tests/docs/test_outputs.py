@@ -73,7 +73,7 @@ class Outputs(unittest.TestCase):
             self.assertEqual(set(data_sets(plain, folder)), always)
 
     def test_layers_are_those_of_the_program(self):
-        text = (source / "apps" / "export" / "drawn.cpp").read_text(encoding="utf-8")
+        text = (source / "apps" / "export" / "other_programs.cpp").read_text(encoding="utf-8")
         layers = re.findall(r'"(\w+)"', re.search(r" layers\{([^}]*)\}", text)[1])
         self.assertGreater(len(layers), 3)
         page = (source / "docs" / "how-to" / "pictures-and-movies.md").read_text(encoding="utf-8")
