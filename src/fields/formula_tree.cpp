@@ -307,6 +307,8 @@ private:
   }
 
   Part infix_of(int least) {
+    constexpr int deepest = 200; // few enough for the stack of any thread, in a browser and under a sanitizer too
+    if (++m_depth > deepest) refuse(word(), fmt::format("it is nested deeper than {} times", deepest));
     Part left = operand();
     bool comparison = false; // left is one, without parentheses
     while (const std::optional<std::string> sign = infix()) {
@@ -320,6 +322,7 @@ private:
       const std::size_t begin = left.at;
       left = made(Part::Kind::infix, *sign, begin, std::move(left), std::move(right));
     }
+    --m_depth;
     return left;
   }
 
@@ -473,6 +476,7 @@ private:
   const FormulaNames& m_names;
   std::size_t m_next = 0;
   std::string m_chained;
+  int m_depth = 0; // of operations within operations
 };
 
 int binds(const Part& part) {

@@ -48,7 +48,9 @@ TEST(Formula, SaysWhatCannotBeRead) {
   EXPECT_NE(what("while(1)").find("cannot be read"), std::string::npos);
   EXPECT_NE(what("x = 3; x").find("cannot be read"), std::string::npos) << "no memory";
   EXPECT_NE(what(std::string(1'000'000, '(')).find("allowed are 1000"), std::string::npos);
-  EXPECT_NE(what(std::string(999, '(')).find("cannot be read"), std::string::npos);
+  EXPECT_NE(what(std::string(999, '(')).find("nested deeper than 200"), std::string::npos);
+  EXPECT_NE(what(std::string(999, '-')).find("nested deeper than 200"), std::string::npos);
+  EXPECT_EQ(Formula(std::string(190, '(') + "2" + std::string(190, ')')).at({0.0, 0.0}), 2.0);
   EXPECT_NE(what("").find("cannot be read"), std::string::npos);
 }
 
