@@ -4,7 +4,7 @@ import { test } from "node:test";
 import { protrusionRows, tracks } from "../sample/life";
 import { pack, random } from "../sample/pack";
 import { sampleStudy } from "../sample/study";
-import { fromBase64, unpack, valueAt } from "../src/embedded";
+import { unpack, valueAt } from "../src/embedded";
 import { nameOf } from "../src/live/scenario";
 import { travelled, travelledText } from "../src/live/results";
 import { addTracks, noTracks } from "../src/live/scene";
@@ -205,17 +205,6 @@ test("what is broken is named", async () => {
   const good = pack(frames, { type: "int16", components: 2, scale: 1, offset: 0, delta: false });
   await assert.rejects(unpack(good, "outline", 4), /outline: has 24 bytes instead of 32/);
   await assert.rejects(unpack({ ...good, data: "AAAA" }, "outline", 3), /outline: cannot be unpacked/);
-});
-
-test("a film of megabytes is not taken apart letter by letter", () => {
-  const text = Buffer.alloc(6e6, "abcdefghi").toString("base64");
-  const least = (act: () => unknown) => Math.min(...Array.from({ length: 4 }, () => {
-    const begin = performance.now();
-    act();
-    return performance.now() - begin;
-  }));
-  const [known, whole] = [least(() => atob(text)), least(() => fromBase64(text))];
-  assert.ok(whole < 12 * known, `${whole} ms, where atob alone takes ${known} ms`);
 });
 
 // Distance and speed from the start, as the live page says them.

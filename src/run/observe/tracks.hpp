@@ -54,7 +54,7 @@ inline std::uint32_t number_of(std::uint32_t cell) { return cell + 1; }
 /// Records of all protrusions of a cell, ended or alive, in the order of their initiation.
 std::vector<ProtrusionRecord> protrusion_records(const Cell& cell);
 
-// What several cells do together, from time to time.
+// What several cells do together, from time to time. Test: tests/unit/observe/motion_test.cpp
 
 /// Displacements of the cells are taken over this time, so that the to and fro of protrusions does not count as
 /// motion [s].

@@ -149,7 +149,7 @@ Standing standing(const std::filesystem::path& study_folder, const Run& run) {
   s.end = run::text_of(record, "end");
   for (const std::string& program : run::programs_of(record))
     s.programs.push_back(program.substr(program.find(' ') + 1));
-  s.wall_time = run::number_in(record, "wall_time_s").value_or(0.0);
+  s.wall_time = std::max(0.0, run::number_in(record, "wall_time_s").value_or(0.0));
   if (s.done() && !run::has_summary(file.parent_path())) {
     s.status = RunState::unfinished;
     s.reason = "summary.json is missing or damaged";

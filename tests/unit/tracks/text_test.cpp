@@ -48,6 +48,10 @@ TEST(TrackText, EncodingsAndEndsOfLines) {
   EXPECT_EQ(read_text("n\xb0 \x80").utf8, "n\u00b0 \u20ac");
   EXPECT_EQ(read_text("n\xb0").encoding, "Windows-1252");
   EXPECT_EQ(read_text("\u00b5").encoding, "UTF-8");
+  EXPECT_EQ(read_text("\U0001F600").encoding, "UTF-8");
+  for (const char* bytes : {"a\xc0\xaf", "a\xe0\x80\xaf", "a\xf0\x80\x80\xaf", "a\xed\xa0\x80", "a\xf4\x90\x80\x80"})
+    EXPECT_EQ(read_text(bytes).encoding, "Windows-1252")
+        << "longer than it need be, half of a pair, or beyond the last";
 }
 
 TEST(TrackText, SignsOfTypesetting) {
