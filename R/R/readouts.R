@@ -32,7 +32,7 @@ readouts <- function() {
     "along_over_across_6h", "", "mean square displacement along uniaxial fibres over that across them, in 6 h",
     "parting_index", "", "cosine between displacement and the direction away from the nearest cell at the start",
     "share_in_contact", "", "share of times with a contact between cells",
-    "nearest_um", "um", "distance of the nearest other cell at the end",
+    "nearest_um", "um", "distance of the nearest other cell at the end, mean over cells",
     "order", "", "length of the mean unit vector of displacements over 10 min, mean over time"
   ))
   data.frame(name = table[, 1], unit = table[, 2], meaning = table[, 3])

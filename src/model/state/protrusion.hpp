@@ -49,7 +49,7 @@ enum class EndCause {
   none,        ///< it has not, or the run ended first
   unadhered,   ///< growth ended where no solid was in reach
   disassembly, ///< by Eq. (7)
-  rupture,     ///< the force passed f_rupt f_mat F_am
+  rupture,     ///< the force passed f_rupt 2 f_mat F_am, of both strands
   lost         ///< the matrix around the anchor was degraded
 };
 

@@ -104,7 +104,7 @@ std::span<const ReadOutSpec> readout_table() {
        .meaning = "share of times with a contact between cells",
        .value = [](const ReadOuts& r) -> Value { return r.share_in_contact; },
        .of_claims = true, .of_groups = true, .is_late = true, .most = 1.0},
-      {.name = "nearest_um", .label = "nearest", .unit = "um", .meaning = "distance of the nearest other cell at the end",
+      {.name = "nearest_um", .label = "nearest", .unit = "um", .meaning = "distance of the nearest other cell at the end, mean over cells",
        .value = [](const ReadOuts& r) -> Value { return r.nearest; },
        .of_claims = true, .of_groups = true, .is_late = true},
       {.name = "order", .label = "order", .unit = "",

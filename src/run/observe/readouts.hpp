@@ -71,7 +71,7 @@ struct ReadOuts {
   Mean l_prot;                          ///< length at the end of growth, of those that adhered [um]
   Mean f_mat;                           ///< at the end of maturation [-]
   Mean force;                           ///< of mature adhesions at disassembly [nN]
-  Mean f_adh_rel;                       ///< Eq. (9): force / (f_mat F_am) at disassembly [-]
+  Mean f_adh_rel;                       ///< Eq. (9): force / (2 f_mat F_am) at disassembly, of both strands [-]
   double mean_simultaneous = undefined; ///< protrusions alive, of all phases, mean over the rows
   std::size_t max_simultaneous = 0;     ///< the largest number of them in a row
   double msd_slope = undefined; ///< log-log slope of the mean square displacement, lags of 10 min to half the run [-]
