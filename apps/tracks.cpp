@@ -219,8 +219,10 @@ void add_tracks(CLI::App& app, Action& chosen) {
       "Folder of a run or a study: writes a page (-o, default beside.html) with paths, mean square displacements and "
       "distributions of all files and of the model, at the interval, duration and --error of the files");
   add_track_options(*verb, options->reading);
-  verb->add_option("--shortest", options->reading.options.shortest, "Leave tracks of fewer positions out (default 4)");
-  verb->add_option("--fewest", options->reading.options.fewest, "Refuse fewer tracks (default 2)");
+  verb->add_option("--shortest", options->reading.options.shortest, "Leave tracks of fewer positions out (default 4)")
+      ->check(CLI::Range(0, 100000));
+  verb->add_option("--fewest", options->reading.options.fewest, "Refuse fewer tracks (default 2)")
+      ->check(CLI::Range(0, 100000));
   verb->add_flag("--drift", options->drift, "Take the mean motion of all tracks away, where five go on together");
   verb->add_option("--every", options->every, "Take positions at a longer interval [s], a whole multiple");
   verb->add_option("--error", options->error,

@@ -77,11 +77,13 @@ void add_slurm_options(CLI::App& verb, SubmitOptions& options) {
   verb.add_option("--time", slurm.time, "Time limit of a task, as in 12:00:00");
   verb.add_option("--mem", slurm.memory, "Memory of a task, as in 500M");
   verb.add_option("--mail-user", slurm.mail_user, "Address that Slurm mails to when the job ends or fails");
-  verb.add_option("--throttle", slurm.throttle, "Largest number of tasks at a time (default: as Slurm decides)");
+  verb.add_option("--throttle", slurm.throttle, "Largest number of tasks at a time (default: as Slurm decides)")
+      ->check(CLI::Range(0, 100000));
   verb.add_option("--cpus", slurm.cpus, "Threads per task; never changes a result (default: 1)")
       ->check(CLI::Range(1, 1024));
   verb.add_option("--chunk", options.chunk,
-                  "Runs per task, one after the other (default: as few as fit into 1000 tasks)");
+                  "Runs per task, one after the other (default: as few as fit into 1000 tasks)")
+      ->check(CLI::Range(0, 100000));
   verb.add_option("--launcher", options.launcher,
                   "What a task calls in place of this program, as in \"apptainer exec /lab/x.sif matrigrate\"")
       ->check([](const std::string& words) {
@@ -104,7 +106,7 @@ void add_slurm(CLI::App& group, Action& chosen) {
   const auto task = std::make_shared<TaskOptions>();
   verb = group.add_subcommand("task", "One task of a job array; called by submit.sh");
   verb->add_option("DIR", task->folder, "Folder of a study")->required();
-  verb->add_option("INDEX", task->index, "Number of the task")->required();
+  verb->add_option("INDEX", task->index, "Number of the task")->required()->check(CLI::Range(0, 100000));
   verb->add_option("--list", task->list, "Which run belongs to which task, a file in the folder")->required();
   verb->callback([task, &chosen] { chosen = [task] { return compute_task(*task); }; });
 }

@@ -196,8 +196,9 @@ RunStart start_from(const FoundCheckpoint& found, const Json& record) {
     start.commands = commands_of(record);
   }
   start.earlier_wall_time = std::max(0.0, number_in(record, "wall_time_s").value_or(0.0));
+  constexpr double most_steps = 1e15;
   start.steps_without_bias =
-      static_cast<std::uint64_t>(std::max(0.0, number_in(record, "steps_without_bias").value_or(0.0)));
+      static_cast<std::uint64_t>(std::clamp(number_in(record, "steps_without_bias").value_or(0.0), 0.0, most_steps));
   return start;
 }
 
