@@ -14,7 +14,8 @@ namespace matrigrate {
 namespace {
 
 constexpr std::size_t field_lanes = Field::lanes;
-constexpr std::size_t run = 4; // nodes in a row that a point reads at once
+constexpr std::size_t run = 4;             // nodes in a row that a point reads at once
+constexpr std::size_t least_points = 1536; // in a range of a loop: with fewer a fork takes longer than what it divides
 
 float rounded(float weight) {
   constexpr float steps = 1 << 20;
@@ -62,13 +63,6 @@ void add_points(const std::uint32_t* first, const std::uint32_t* point, const st
   }
 }
 
-/// Calls body(begin, end) for pieces of [0, n), each as a piece of work of its own.
-template <class Body>
-void in_pieces(std::size_t n, const Body& body) {
-  constexpr std::size_t piece = 512;
-  parallel_parts((n + piece - 1) / piece, [&](std::size_t p) { body(p * piece, std::min(n, (p + 1) * piece)); });
-}
-
 } // namespace
 
 Interpolation::Interpolation(const Grid& grid, std::size_t nodes) {
@@ -106,13 +100,13 @@ Interpolation::Interpolation(const Grid& grid, std::size_t nodes) {
 }
 
 void Interpolation::restrict_to(const Field& r, Field& a) const {
-  in_pieces(m_first_run.size() - 1, [&](std::size_t begin, std::size_t end) {
+  parallel_ranges(m_first_run.size() - 1, least_points, [&](std::size_t begin, std::size_t end) {
     sum_runs(m_first_run.data(), m_node.data(), m_run_weights.data(), begin, end, r, a);
   });
 }
 
 void Interpolation::interpolate(const Field& a, Field& z) const {
-  in_pieces(m_weights_of.size(), [&](std::size_t begin, std::size_t end) {
+  parallel_ranges(m_weights_of.size(), least_points / field_lanes, [&](std::size_t begin, std::size_t end) {
     add_points(m_first_point.data(), m_point.data(), m_weights_of.data(), m_weights.data(), begin, end, a, z);
   });
 }
@@ -128,15 +122,21 @@ constexpr float links_share = 0.6F; // of their row sums in the diagonal of a sm
 using Sparse = Eigen::SparseMatrix<double>;
 
 Sparse pair_drag_matrix(const DragSystem& A) {
-  std::vector<Eigen::Triplet<double>> entries;
-  const auto n = static_cast<int>(A.pairs.size());
-  for (int i = 0; i < n; ++i) {
-    const auto row = static_cast<std::size_t>(i);
-    entries.emplace_back(i, i, A.diagonal[row]);
-    A.pairs.each_of_row(row, [&](std::size_t j, float G) { entries.emplace_back(i, static_cast<int>(j), -G); });
+  const auto n = static_cast<long>(A.pairs.size());
+  Sparse matrix(n, n); // its columns are the rows of A, in ascending order
+  for (long i = 0; i < n; ++i) {
+    bool has_diagonal = false;
+    const auto insert_diagonal = [&] {
+      if (!std::exchange(has_diagonal, true)) matrix.insertBack(i, i) = A.diagonal[static_cast<std::size_t>(i)];
+    };
+    matrix.startVec(i);
+    A.pairs.each_of_row(static_cast<std::size_t>(i), [&](std::size_t j, float G) {
+      if (static_cast<long>(j) > i) insert_diagonal();
+      matrix.insertBack(static_cast<long>(j), i) = -G;
+    });
+    insert_diagonal();
   }
-  Sparse matrix(n, n);
-  matrix.setFromTriplets(entries.begin(), entries.end());
+  matrix.finalize();
   return matrix;
 }
 
@@ -179,11 +179,13 @@ CoarseLevels::CoarseLevels(const DragSystem& reference, double spacing) {
   Grid grid(x, spacing);
   for (;;) {
     grid.locate(x, free);
-    const Sparse all = Sparse(grid.P().transpose()) * A * grid.P();
-    const Eigen::VectorXd diagonal = all.diagonal();
+    const Sparse all = grid.P();
+    const Sparse product = A * all;
+    Eigen::VectorXd diagonal(all.cols());
+    for (long q = 0; q < all.cols(); ++q) diagonal[q] = all.col(q).dot(product.col(q));
+    const double least = least_share * diagonal.maxCoeff();
     std::vector<std::uint8_t> keep(grid.size());
-    for (std::size_t q = 0; q < keep.size(); ++q)
-      keep[q] = diagonal[static_cast<long>(q)] > least_share * diagonal.maxCoeff() ? 1 : 0;
+    for (std::size_t q = 0; q < keep.size(); ++q) keep[q] = diagonal[static_cast<long>(q)] > least ? 1 : 0;
     grid.leave_out(keep);
     if (grid.size() == 0) return;
     grid.locate(x, free);
