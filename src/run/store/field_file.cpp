@@ -45,13 +45,12 @@ observe::Bytes solid(const observe::Frame& frame) {
   return flags;
 }
 
-/// An array with a frame of numbers made by `of` from each frame.
-template <class Number>
+/// An array with numbers of each frame.
 struct Column {
   std::string name;
   std::string_view unit;
-  std::function<std::vector<Number>(const observe::Frame&)> of;
   FrameArray array;
+  std::function<std::string(const FrameArray&, const observe::Frame&)> compressed;
 };
 
 template <class Number>
@@ -65,15 +64,25 @@ public:
   /// @param frames  how many there will be
   FieldWriter(const observe::FrameHead& head, std::size_t frames) : m_head(head), m_frames(frames) {}
 
-  void add(const observe::Frame& frame) {
-    if (m_times.empty()) begin(frame);
-    write(m_floats, frame);
-    write(m_bytes, frame);
-    for (const auto& field : observe::float_fields())
-      if (field.of_protrusions()) append(field.of(m_table), field.in(frame));
-    append(m_table.protrusions.phase, frame.protrusions.phase);
-    m_frame_of_row.resize(m_table.protrusions.id.size(), static_cast<std::uint32_t>(m_times.size()));
-    m_times.push_back(frame.t);
+  /// Writes each frame while the next one is compressed, and that after it read.
+  /// @param next  gives them; none at the end
+  void add_all(const std::function<std::optional<observe::Frame>()>& next) {
+    std::optional<observe::Frame> before, now = next(), after;
+    std::vector<std::string> of_before, of_now;
+    if (now) begin(*now);
+    while (before || now) {
+      side_by_side({[&] {
+                      if (now) of_now = compressed(*now);
+                    },
+                    [&] {
+                      if (now) after = next();
+                    },
+                    [&] {
+                      if (before) add(*before, of_before);
+                    }});
+      before = std::exchange(now, std::exchange(after, std::nullopt));
+      of_before.swap(of_now);
+    }
   }
 
   /// Writes what is of all frames.
@@ -98,7 +107,8 @@ public:
   }
 
   void add_all(const observe::Film& film, const FieldOrigin& origin) {
-    for (const observe::Frame& frame : film.frames) add(frame);
+    auto frame = film.frames.begin();
+    add_all([&] { return frame == film.frames.end() ? std::nullopt : std::optional(*frame++); });
     finish(origin);
   }
 
@@ -115,37 +125,45 @@ private:
   void begin(const observe::Frame& first) {
     m_first = first;
     m_adhesions.assign(m_frames, 0);
-    add_column(m_floats, "matrix/position", 3, "um", [this](const observe::Frame& f) { return positions(m_head, f); });
-    add_column(m_bytes, "matrix/solid", 1, "1", solid);
+    add_column("matrix/position", 3, "um", [this](const observe::Frame& f) { return positions(m_head, f); });
+    add_column("matrix/solid", 1, "1", solid);
     for (const auto& field : observe::float_fields())
       if (!field.of_protrusions())
-        add_column(m_floats, field.name, field.components == 2 ? 3 : 1, field.unit,
+        add_column(field.name, field.components == 2 ? 3 : 1, field.unit,
                    [&field](const observe::Frame& f) { return in_space(field.in(f), field.components); });
     for (const auto& field : observe::byte_fields())
       if (!field.of_protrusions())
-        add_column(m_bytes, field.name, 1, field.unit, [&field](const observe::Frame& f) { return field.in(f); });
+        add_column(field.name, 1, field.unit, [&field](const observe::Frame& f) { return field.in(f); });
   }
 
-  template <class Number, class Of>
-  void add_column(std::vector<Column<Number>>& columns, std::string_view field, std::uint32_t components,
-                  std::string_view unit, const Of& of) {
+  template <class Of>
+  void add_column(std::string_view field, std::uint32_t components, std::string_view unit, const Of& of) {
     const std::string name = fmt::format("/{}", field);
-    if (const std::vector<Number> like = of(*m_first); !like.empty()) // else fibres, where there are none
-      columns.push_back({name, unit, of, FrameArray(m_file, name, like, m_frames, components, unit)});
+    if (const auto like = of(*m_first); !like.empty()) // else fibres, where there are none
+      m_columns.push_back(
+          {name, unit, FrameArray(m_file, name, like, m_frames, components, unit),
+           [of](const FrameArray& array, const observe::Frame& frame) { return array.compressed(of(frame)); }});
   }
 
-  template <class Number>
-  void write(std::vector<Column<Number>>& columns, const observe::Frame& frame) {
-    std::vector<std::string> compressed(columns.size());
-    parallel_parts(columns.size(), [&](std::size_t k) {
-      compressed[k] = columns[k].array.compressed(columns[k].of(frame)); // what takes the time
-    });
+  /// What takes the time.
+  std::vector<std::string> compressed(const observe::Frame& frame) const {
+    std::vector<std::string> all(m_columns.size());
+    parallel_parts(all.size(), [&](std::size_t k) { all[k] = m_columns[k].compressed(m_columns[k].array, frame); });
+    return all;
+  }
+
+  void add(const observe::Frame& frame, const std::vector<std::string>& arrays) {
     const std::size_t now = m_times.size();
-    for (std::size_t k = 0; k < columns.size(); ++k) {
-      Column<Number>& column = columns[k];
-      column.array.write(now, compressed[k]);
+    for (std::size_t k = 0; k < m_columns.size(); ++k) {
+      Column& column = m_columns[k];
+      column.array.write(now, arrays[k]);
       m_file.name_frame(frame_path(now, column.name), column.name, now, column.unit);
     }
+    for (const auto& field : observe::float_fields())
+      if (field.of_protrusions()) append(field.of(m_table), field.in(frame));
+    append(m_table.protrusions.phase, frame.protrusions.phase);
+    m_frame_of_row.resize(m_table.protrusions.id.size(), static_cast<std::uint32_t>(now));
+    m_times.push_back(frame.t);
   }
 
   void write_protrusions() {
@@ -194,8 +212,7 @@ private:
   std::size_t m_frames;
   std::optional<observe::Frame> m_first;
   std::vector<double> m_times;
-  std::vector<Column<float>> m_floats;
-  std::vector<Column<std::uint8_t>> m_bytes;
+  std::vector<Column> m_columns;
   observe::Frame m_table{.matrix = {}, .outline = {}, .protrusions = {}}; ///< the protrusions of all frames
   std::vector<std::uint32_t> m_frame_of_row;
   std::vector<std::size_t> m_adhesions; ///< of each frame
@@ -222,8 +239,8 @@ void write_field_files(const std::filesystem::path& folder, std::size_t frames, 
   naming(log, [&] { reader.emplace(stream); });
   FieldWriter writer(reader->head(), frames);
   naming(log, [&] {
-    std::optional<observe::Frame> frame;
-    while (writer.frames() < frames && (frame = reader->next())) writer.add(*frame);
+    std::size_t read = 0;
+    writer.add_all([&] { return read++ < frames ? reader->next() : std::nullopt; });
     if (writer.frames() != frames || reader->next())
       throw InputOutputError(fmt::format("does not hold the {} whole frames of the run", frames));
     writer.finish(origin);
