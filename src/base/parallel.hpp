@@ -26,18 +26,6 @@ bool alone();
 /// @param grain  approximate minimum length of a range
 void parallel_ranges(std::size_t n, std::size_t grain, const std::function<void(std::size_t, std::size_t)>& body);
 
-/// Calls body(k) for every k in [0, n), in any order, each as a separate task.
-template <class Body>
-void parallel_parts(std::size_t n, const Body& body) {
-  if (alone()) {
-    for (std::size_t k = 0; k < n; ++k) body(k);
-    return;
-  }
-  parallel_ranges(n, 1, [&body](std::size_t begin, std::size_t end) {
-    for (std::size_t k = begin; k < end; ++k) body(k);
-  });
-}
-
 /// Calls all, in any order, side by side. None may write what another reads or writes.
 /// Test: tests/unit/base/base_test.cpp
 void side_by_side(std::initializer_list<std::function<void()>> works);
@@ -81,6 +69,12 @@ void parallel_for(std::size_t n, const Body& body, std::size_t grain = parallel_
   parallel_ranges(n, grain, [&body](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) body(i);
   });
+}
+
+/// Calls body(k) for every k in [0, n), in any order, each as a separate task.
+template <class Body>
+void parallel_parts(std::size_t n, const Body& body) {
+  parallel_for(n, body, 1);
 }
 
 /// Whether test(begin, end) holds for any of the ranges that make up [0, n).

@@ -208,8 +208,8 @@ std::string note_of_drag(const Parameters& p) {
 }
 
 int threads_that_pay(std::size_t particles) {
-  // Measured: with 17,665 particles a second thread takes 37 % of the time off. A quarter of a run is
-  // serial, so that a fifth would bring 9 %.
+  // Measured: with 17,665 particles a second thread takes 42 % of the time off. A sixth of a run is
+  // serial, so that a fifth would bring 12 %.
   constexpr std::size_t of_a_thread = 8000, most = 4;
   return static_cast<int>(std::clamp<std::size_t>(particles / of_a_thread, 1, most));
 }
@@ -223,7 +223,7 @@ std::string wall_time_basis() {
          "listed pair of particles, 0.6 ns for each decade of solver.tolerance, and 2.2 us for each particle of a "
          "cell;\n"
          "1.6 times that for each step of the adaptive integrator; and 0.05 s a run with 0.011 ms a particle to begin\n"
-         "and to write files. A second thread makes runs 1.6 times faster in discs of 150 um, 1.8 times in discs of\n"
+         "and to write files. A second thread makes runs 1.7 times faster in discs of 150 um, 1.8 times in discs of\n"
          "300 um. A machine with other work to do takes longer.";
 }
 

@@ -2,6 +2,7 @@
 
 #include "base/failure.hpp"
 #include "base/file.hpp"
+#include "base/parallel.hpp"
 #include "base/platform.hpp"
 #include "cell/nucleus.hpp"
 #include "report/film_json.hpp"
@@ -65,7 +66,8 @@ Output rows(RunSoFar& run, const State& start) {
     store::RunMemory& memory = run.memory;
     if (!memory.rows.empty() && memory.rows.back().step == s.step) return;
     store::TrajectoryHash trajectory(memory.trajectory);
-    trajectory.add(s);
+    HealthRow row;
+    side_by_side({[&] { trajectory.add(s); }, [&] { row = health_row(run, s, w, memory.watch); }});
     memory.trajectory = trajectory.value();
     if (group) {
       memory.group.push_back(group_row(s, memory.rows, run.now));
@@ -75,7 +77,6 @@ Output rows(RunSoFar& run, const State& start) {
       tracks->add(store::fields(row));
       memory.rows.push_back(row);
     }
-    const HealthRow row = health_row(run, s, w, memory.watch);
     health->add(store::fields(row));
     require_health(run, s, row);
   };

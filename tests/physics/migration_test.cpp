@@ -129,8 +129,9 @@ TEST(Migration, InternalForcesCancel) { // third law over matrix, cell and all t
     complete_forces(s, p, w, {});
     std::vector<Vec2> external(w.force.size(), Vec2::Zero());
     const std::uint32_t first = first_node(s, 0);
-    add_growth(s.cells[0], p.protrusion, 1.0, w.cells[0].normals, first, external, w.drag, s.t, w.laws.growth_force);
-    add_maturation(s.cells[0], p, w.laws, {}, p.run.time_step, first, external, w.drag);
+    add_growth(s.cells[0], p.protrusion, 1.0, w.cells[0].normals, first, external, w.drag, s.t,
+               w.laws.front().growth_force);
+    add_maturation(s.cells[0], p, w.laws.front(), {}, p.run.time_step, first, external, w.drag);
     most = std::max(most, (sum(w.force) - sum(external)).norm());
   }
   EXPECT_LT(most, 1e-12);

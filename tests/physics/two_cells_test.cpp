@@ -1,7 +1,9 @@
+#include "base/parallel.hpp"
 #include "cell/geometry.hpp"
 #include "ecm/degradation.hpp"
 #include "gel.hpp"
 #include "observe/health.hpp"
+#include "parameters/read.hpp"
 #include "simulation/advance.hpp"
 #include "simulation/start.hpp"
 #include "store/checkpoint.hpp"
@@ -80,6 +82,21 @@ TEST(TwoCells, GoOnFromACheckpointWithTheSameBits) {
     advance(read, p, p.run.time_step, fresh);
   }
   EXPECT_TRUE(same_bits(read, s));
+}
+
+TEST(TwoCells, GiveTheSameBitsForAnyNumberOfThreads) { // their protrusions are advanced side by side, laws are formulas
+  const Parameters p = apply_overrides(
+      hasty_cells(), {"laws.initiation_bias=1 + 0.01*abs(x)", "laws.maturation_force=0.1*steps*(m_mat*F_am)"});
+  const auto at_end = [&](int threads) {
+    const ThreadLimit limit(threads);
+    State s = two_cells(p);
+    Workspace w(s, p);
+    for (int k = 0; k < 200; ++k) advance(s, p, p.run.time_step, w);
+    return s;
+  };
+  const State one = at_end(1);
+  EXPECT_GT(one.cells[0].initiated + one.cells[1].initiated, 1U);
+  for (const int threads : {2, 3, 5}) EXPECT_TRUE(same_bits(one, at_end(threads))) << threads;
 }
 
 // Without protrusions nothing tells the cells apart: their order is that of sums.

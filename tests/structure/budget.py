@@ -7,22 +7,22 @@ import subprocess
 import sys
 
 budget = {
-    "src/base": 1497,
+    "src/base": 1491,
     "src/fields": 2631,
     "src/statistics": 690,
     "src/tracks": 3810,
     "src/parameters": 5676,
-    "src/model": 11235,
-    "src/run": 9682,
+    "src/model": 11270,
+    "src/run": 9701,
     "src/validation": 2586,
     "src/study": 7128,
-    "apps": 5255,
+    "apps": 5259,
     "python": 7782,
     "R": 826,
     "web": 1179,
     "viewer/src": 9500,
 }
-wide = {"python": 336, "R": 45, "web": 58, "viewer/src": 222}  # lines of more than 120 columns
+wide = {"python": 333, "R": 43, "web": 43, "viewer/src": 222}  # lines of more than 120 columns
 most_files = 1110
 endings = (".cpp", ".hpp", ".h", ".py", ".ts", ".css", ".mjs", ".R")
 

@@ -6,6 +6,7 @@
 #include "simulation/events.hpp"
 #include "simulation/velocities.hpp"
 
+#include <atomic>
 #include <cmath>
 #include <cstddef>
 #include <span>
@@ -19,9 +20,12 @@ std::span<const double> propensity_of(std::size_t cell, const Workspace& w) {
 }
 
 void advance_protrusions(State& s, const Parameters& p, double dt, Workspace& w) {
-  w.without_bias = 0;
-  for (std::size_t k = 0; k < s.cells.size(); ++k)
-    w.without_bias += advance_protrusions(s.cells[k], s.ecm, s.now(), p, dt, w.laws, propensity_of(k, w)) ? 1 : 0;
+  std::atomic<std::size_t> without_bias = 0;
+  parallel_parts(w.laws.size(), [&](std::size_t part) {
+    for (std::size_t k = part; k < s.cells.size(); k += w.laws.size())
+      if (advance_protrusions(s.cells[k], s.ecm, s.now(), p, dt, w.laws[part], propensity_of(k, w))) ++without_bias;
+  });
+  w.without_bias = without_bias;
 }
 
 /// The next multiple of dt, whatever rounding left before; dt later from a time between multiples [s].

@@ -58,15 +58,15 @@ void assemble_cell_forces(const State& s, std::size_t k, const Parameters& p, do
   add_area(c, p.cell, dt, first, w.force, w.drag);
   add_repulsion(c, p.cell, dt, first, w.force, w.drag);
   add_elastic_contact(s.ecm, c, p, shape.nearby, dt, first, w.force, w.on_matrix, w.drag);
-  add_actomyosin(c, m.f_mat, shape.places, dt, first, w.force, w.drag, w.laws);
+  add_actomyosin(c, m.f_mat, shape.places, dt, first, w.force, w.drag, w.laws.front());
   const Vec2 inner = sum(forces);
   add_growth(cell, p.protrusion, area(c) / initial_area(p.cell), shape.normals, first, w.force, w.drag, s.t,
-             w.laws.growth_force, shape.places);
+             w.laws.front().growth_force, shape.places);
   add_base_ties(cell, p.protrusion, p.cell.spring_stiffness, dt, first, w.force, w.drag);
-  add_maturation(cell, p, w.laws, shape.places, dt, first, w.force, w.drag);
+  add_maturation(cell, p, w.laws.front(), shape.places, dt, first, w.force, w.drag);
   w.outer_force += sum(forces) - inner;
-  add_adhesions(cell, s.ecm, p.adhesion, w.laws, shape.places, shape.anchor_weights, dt, first, w.force, w.on_matrix,
-                w.drag);
+  add_adhesions(cell, s.ecm, p.adhesion, w.laws.front(), shape.places, shape.anchor_weights, dt, first, w.force,
+                w.on_matrix, w.drag);
 }
 
 /// The nucleus of a cell, and its contact with the cortex.
@@ -93,7 +93,7 @@ void assemble_cells(const State& s, const Parameters& p, double dt, Workspace& w
     shape.normals = normals(cell.cortex);
     shape.nearby = nearby_solid(s.ecm, cell.cortex, SegmentGrid(cell.cortex, reach), reach);
     shape.anchor_weights = anchor_weights(cell, s.ecm, p);
-    shape.places = places_of_forces(cell, s.ecm, p, s.t, w.laws);
+    shape.places = places_of_forces(cell, s.ecm, p, s.t, w.laws.front());
     const CortexState c = after_a_quarter_step(cell.cortex, p, dt);
     add_viscous_contact(s.ecm, c, shape.membership.soft, p, SegmentGrid(c, reach), first_node(s, k), w.drag);
   }

@@ -54,7 +54,7 @@ void degrade_around_cells(State& s, const Parameters& p, double dt, Workspace& w
     std::vector<std::uint8_t> of_front;
     if (p.degradation.rear_share != 1.0) of_front = front_of(s.cells[k]);
     degrade(s.ecm, p, shape.nearby, {shape.membership.on_protrusion, of_front, shape.places},
-            tips_of(s.cells[k], p, dt), dt, w.laws);
+            tips_of(s.cells[k], p, dt), dt, w.laws.front());
     w.health.engulfed += fluidize_engulfed(s.ecm, p, shape.nearby);
   }
 }

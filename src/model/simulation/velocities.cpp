@@ -131,8 +131,7 @@ std::optional<StepTooLong> solve_velocities(State& s, const Parameters& p, doubl
 
 namespace {
 
-void advance_positions(State& s, const Parameters& p, double dt, const Workspace& w) {
-  parallel_for(s.ecm.size(), [x = s.ecm.x.data(), v = s.ecm.v.data(), dt](std::size_t i) { x[i] += dt * v[i]; });
+void move_cells(State& s, const Parameters& p, double dt, const Workspace& w) {
   for (std::size_t k = 0; k < s.cells.size(); ++k) {
     CortexState& c = s.cells[k].cortex;
     for (std::size_t i = 0; i < c.size(); ++i) c.x[i] += dt * c.v[i];
@@ -146,9 +145,13 @@ void advance_positions(State& s, const Parameters& p, double dt, const Workspace
 } // namespace
 
 void move(State& s, const Parameters& p, double dt, Workspace& w) {
-  advance_positions(s, p, dt, w);
-  const DensityBounds bounds = advance_stress(s.ecm, p.ecm, w.reference, w.solid, dt);
-  w.health.density_bounds = bounds.below + bounds.above;
+  side_by_side({[&] { move_cells(s, p, dt, w); },
+                [&] {
+                  const auto go = [x = s.ecm.x.data(), v = s.ecm.v.data(), dt](std::size_t i) { x[i] += dt * v[i]; };
+                  parallel_for(s.ecm.size(), go);
+                  const DensityBounds bounds = advance_stress(s.ecm, p.ecm, w.reference, w.solid, dt);
+                  w.health.density_bounds = bounds.below + bounds.above;
+                }});
 }
 
 } // namespace matrigrate

@@ -1,8 +1,12 @@
 #include "simulation/workspace.hpp"
 
+#include "base/parallel.hpp"
 #include "ecm/loop/viscosity.hpp"
 #include "solve/conjugate_gradient.hpp"
 #include "solve/multigrid.hpp"
+
+#include <algorithm>
+#include <utility>
 
 namespace matrigrate {
 
@@ -25,9 +29,25 @@ std::unique_ptr<DragSolver> make_solver(const State& s, const Parameters& p) {
   return std::make_unique<Multigrid>(reference, p.ecm.particle_spacing, solver_tolerance(p), p.solver.max_iterations);
 }
 
+/// The reference; the solver is made beside it.
+Reference make_reference(const State& s, const Parameters& p, std::unique_ptr<DragSolver>& solver) {
+  std::optional<Reference> reference;
+  side_by_side({[&] { solver = make_solver(s, p); }, [&] { reference.emplace(s.ecm, p.ecm); }});
+  return *std::move(reference);
+}
+
 FibreNetwork make_fibres(const EcmState& ecm, const Parameters& p, const Reference& reference) {
   if (p.fibres.arrangement == FibreArrangement::none) return {};
   return {ecm, p.ecm, p.fibres, reference, fibre_table(p)};
+}
+
+/// For as many cells as may be advanced side by side.
+std::vector<Laws> make_laws(const State& s, const Parameters& p) {
+  constexpr std::size_t most = 16;
+  std::vector<Laws> laws;
+  do laws.emplace_back(p);
+  while (laws.size() < std::min(most, s.cells.size()));
+  return laws;
 }
 
 std::optional<Diffusion> make_diffusion(const EcmState& ecm, const Parameters& p) {
@@ -38,9 +58,8 @@ std::optional<Diffusion> make_diffusion(const EcmState& ecm, const Parameters& p
 } // namespace
 
 Workspace::Workspace(const State& s, const Parameters& p)
-    : laws(p), reference(s.ecm, p.ecm), fibres(make_fibres(s.ecm, p, reference)),
+    : laws(make_laws(s, p)), reference(make_reference(s, p, solver)), fibres(make_fibres(s.ecm, p, reference)),
       neighbours(2.0 * (p.ecm.smoothing_length + drag_lag(p, p.run.time_step)), p.ecm.verlet_skin),
-      drag_cache(s.ecm, p.ecm), diffusion(make_diffusion(s.ecm, p)), limits(step_limits(p, s.ecm)),
-      solver(make_solver(s, p)) {}
+      drag_cache(s.ecm, p.ecm), diffusion(make_diffusion(s.ecm, p)), limits(step_limits(p, s.ecm)) {}
 
 } // namespace matrigrate

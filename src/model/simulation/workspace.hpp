@@ -48,7 +48,8 @@ struct Workspace {
   /// For steps of at most run.time_step.
   Workspace(const State& s, const Parameters& p);
 
-  Laws laws;
+  std::vector<Laws> laws; ///< all alike: one thread at a time evaluates formulas of each
+  std::unique_ptr<DragSolver> solver;
   Reference reference;
   FibreNetwork fibres;
   VerletList neighbours;
@@ -60,14 +61,13 @@ struct Workspace {
   /// initiates protrusions, >= 0 [-]; an empty one is 1 for all. Test: tests/physics/migration_test.cpp
   std::vector<std::vector<double>> propensity;
   DragSystem drag;
-  std::vector<Vec2> force;         ///< all forces except drag, on all nodes including clamped ones [nN]
-  NodeForces on_matrix;            ///< of them, those of the cells on the matrix
-  Vec2 outer_force = Vec2::Zero(); ///< the part of the external forces: growth, maturation, loads [nN]
-  std::vector<Vec2> v;             ///< velocities of all nodes [um/s]
-  std::vector<Vec2> v_now;         ///< those of the state at the begin of the step [um/s]
-  StepLimits limits;               ///< of the explicit step
-  double theta = 0.0;              ///< relaxation_theta() of this step [-]
-  std::unique_ptr<DragSolver> solver;
+  std::vector<Vec2> force;            ///< all forces except drag, on all nodes including clamped ones [nN]
+  NodeForces on_matrix;               ///< of them, those of the cells on the matrix
+  Vec2 outer_force = Vec2::Zero();    ///< the part of the external forces: growth, maturation, loads [nN]
+  std::vector<Vec2> v;                ///< velocities of all nodes [um/s]
+  std::vector<Vec2> v_now;            ///< those of the state at the begin of the step [um/s]
+  StepLimits limits;                  ///< of the explicit step
+  double theta = 0.0;                 ///< relaxation_theta() of this step [-]
   SolidFields solid;                  ///< of the elastic forces
   std::vector<double> fluid_pressure; ///< [kPa]
   StepHealth health;

@@ -225,11 +225,13 @@ void Elimination::gather(const At& at) {
 /// add(k, y) for y = -A_mc m_t at the nodes k of the matrix, and that of the mixed terms within the matrix for m_sums.
 template <class Add>
 void Elimination::scatter(const Add& add) {
-  for (const Linked& linked : m_linked) {
+  constexpr std::size_t grain = 128;
+  const auto add_linked = [&](std::size_t k) {
     Vec2 y = Vec2::Zero();
-    for (const auto& [a, drag] : drags(linked)) y += drag * m_t.segment<2>(2L * a);
-    add(linked.node, y);
-  }
+    for (const auto& [a, drag] : drags(m_linked[k])) y += drag * m_t.segment<2>(2L * a);
+    add(m_linked[k].node, y);
+  };
+  parallel_for(m_linked.size(), add_linked, grain);
   for (std::size_t m = 0; m < m_mixed.size(); ++m) {
     double sum = m_sums[m];
     for (std::uint32_t k = m_mixed.first[m]; k < m_mixed.first[m + 1]; ++k)

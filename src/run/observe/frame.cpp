@@ -248,9 +248,9 @@ FrameHead frame_head(const State& s, const Parameters& p) {
 Frame frame(const State& s, const Parameters& p, const Workspace& w) {
   Frame frame{.t = s.t, .matrix = matrix_frame(s, p, w), .outline = {}, .protrusions = {}};
   for (const Cell& cell : s.cells) {
-    const std::vector<LawPlace> places = places_of_forces(cell, s.ecm, p, s.t, w.laws);
-    add_outline(frame.outline, cell, frame.protrusions.id.size(), p, w.laws, places);
-    add_protrusions(frame.protrusions, cell, p.adhesion, w.laws, places);
+    const std::vector<LawPlace> places = places_of_forces(cell, s.ecm, p, s.t, w.laws.front());
+    add_outline(frame.outline, cell, frame.protrusions.id.size(), p, w.laws.front(), places);
+    add_protrusions(frame.protrusions, cell, p.adhesion, w.laws.front(), places);
     for (const Vec2& x : cell.nucleus.x) add(frame.nucleus, x);
     if (s.cells.size() == 1) continue;
     const auto number = static_cast<float>(number_of(cell.id));

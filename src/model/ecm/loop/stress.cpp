@@ -5,7 +5,9 @@
 #include "ecm/loop/deformation.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace matrigrate {
@@ -313,12 +315,13 @@ DensityBounds advance_stress(EcmState& ecm, const EcmParameters& p, const Refere
 }
 
 DensityBounds count_density_bounds(const EcmState& ecm, const EcmParameters& p) {
-  DensityBounds bounds;
-  for (std::size_t i = 0; i < ecm.size(); ++i) {
-    if (ecm.rho[i] <= p.density_min) ++bounds.below;
-    if (ecm.rho[i] >= p.density_max) ++bounds.above;
-  }
-  return bounds;
+  std::atomic<std::size_t> below = 0, above = 0;
+  parallel_ranges(ecm.size(), 4 * parallel_block, [&](std::size_t begin, std::size_t end) {
+    const std::span<const double> rho = std::span(ecm.rho).subspan(begin, end - begin);
+    below += static_cast<std::size_t>(std::ranges::count_if(rho, [&](double a) { return a <= p.density_min; }));
+    above += static_cast<std::size_t>(std::ranges::count_if(rho, [&](double a) { return a >= p.density_max; }));
+  });
+  return {below, above};
 }
 
 namespace {
