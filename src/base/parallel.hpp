@@ -18,6 +18,7 @@ namespace matrigrate {
 // tests/unit/base/base_test.cpp
 
 inline constexpr std::size_t parallel_block = 512;
+inline constexpr std::size_t light_grain = 2048; ///< of loops with few operations an index
 
 /// Whether the program runs single-threaded.
 bool alone();
@@ -80,7 +81,7 @@ void parallel_parts(std::size_t n, const Body& body) {
 /// Whether test(begin, end) holds for any of the ranges that make up [0, n).
 /// @param grain  approximate minimum length of a range
 template <class Test>
-bool parallel_any(std::size_t n, const Test& test, std::size_t grain = 4 * parallel_block) {
+bool parallel_any(std::size_t n, const Test& test, std::size_t grain = light_grain) {
   std::atomic<bool> any = false;
   parallel_ranges(n, grain, [&](std::size_t begin, std::size_t end) {
     if (!any && test(begin, end)) any = true;
@@ -104,7 +105,7 @@ void each_block_with(std::size_t n, const Test& test, const Body& body) {
 template <class T>
 void parallel_copy(std::span<const T> from, std::vector<T>& to) {
   to.resize(from.size());
-  parallel_ranges(from.size(), 4 * parallel_block, [&](std::size_t begin, std::size_t end) {
+  parallel_ranges(from.size(), light_grain, [&](std::size_t begin, std::size_t end) {
     std::copy(from.begin() + static_cast<std::ptrdiff_t>(begin), from.begin() + static_cast<std::ptrdiff_t>(end),
               to.begin() + static_cast<std::ptrdiff_t>(begin));
   });

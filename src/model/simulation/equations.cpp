@@ -149,7 +149,7 @@ void complete_forces(const State& s, const Parameters& p, Workspace& w, const Lo
                                                                                      std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) F[i] += share * force[i];
   };
-  parallel_ranges(s.ecm.size(), parallel_block, [&](std::size_t begin, std::size_t end) {
+  parallel_ranges(s.ecm.size(), light_grain, [&](std::size_t begin, std::size_t end) {
     each_unflagged_stretch(std::span(s.ecm.clamped).subspan(begin, end - begin),
                            [&](std::size_t from, std::size_t to) { add(begin + from, begin + to); });
   });

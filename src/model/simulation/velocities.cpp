@@ -148,7 +148,7 @@ void move(State& s, const Parameters& p, double dt, Workspace& w) {
   side_by_side({[&] { move_cells(s, p, dt, w); },
                 [&] {
                   const auto go = [x = s.ecm.x.data(), v = s.ecm.v.data(), dt](std::size_t i) { x[i] += dt * v[i]; };
-                  parallel_for(s.ecm.size(), go);
+                  parallel_for(s.ecm.size(), go, light_grain);
                   const DensityBounds bounds = advance_stress(s.ecm, p.ecm, w.reference, w.solid, dt);
                   w.health.density_bounds = bounds.below + bounds.above;
                 }});

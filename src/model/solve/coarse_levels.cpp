@@ -14,8 +14,7 @@ namespace matrigrate {
 namespace {
 
 constexpr std::size_t field_lanes = Field::lanes;
-constexpr std::size_t run = 4;             // nodes in a row that a point reads at once
-constexpr std::size_t least_points = 1536; // in a range of a loop: with fewer a fork takes longer than what it divides
+constexpr std::size_t run = 4; // nodes in a row that a point reads at once
 
 float rounded(float weight) {
   constexpr float steps = 1 << 20;
@@ -100,13 +99,13 @@ Interpolation::Interpolation(const Grid& grid, std::size_t nodes) {
 }
 
 void Interpolation::restrict_to(const Field& r, Field& a) const {
-  parallel_ranges(m_first_run.size() - 1, least_points, [&](std::size_t begin, std::size_t end) {
+  parallel_ranges(m_first_run.size() - 1, light_grain, [&](std::size_t begin, std::size_t end) {
     sum_runs(m_first_run.data(), m_node.data(), m_run_weights.data(), begin, end, r, a);
   });
 }
 
 void Interpolation::interpolate(const Field& a, Field& z) const {
-  parallel_ranges(m_weights_of.size(), least_points / field_lanes, [&](std::size_t begin, std::size_t end) {
+  parallel_ranges(m_weights_of.size(), light_grain / field_lanes, [&](std::size_t begin, std::size_t end) {
     add_points(m_first_point.data(), m_point.data(), m_weights_of.data(), m_weights.data(), begin, end, a, z);
   });
 }

@@ -46,16 +46,18 @@ void NodeVectors::add(std::size_t k, const Vec2& a) {
 void split(std::span<const Vec2> a, std::size_t matrix, NodeVectors& b) {
   b.resize(matrix, a.size());
   double *x = b.matrix.x(), *y = b.matrix.y();
-  parallel_for(matrix, [=](std::size_t i) {
+  const auto take = [=](std::size_t i) {
     x[i] = a[i].x();
     y[i] = a[i].y();
-  });
+  };
+  parallel_for(matrix, take, light_grain);
   std::ranges::copy(a.subspan(matrix), b.cell_dofs.begin());
 }
 
 void join(const NodeVectors& a, std::span<Vec2> b) {
   const double *x = a.matrix.x(), *y = a.matrix.y();
-  parallel_for(a.matrix.size(), [=](std::size_t i) { b[i] = Vec2(x[i], y[i]); });
+  parallel_for(
+      a.matrix.size(), [=](std::size_t i) { b[i] = Vec2(x[i], y[i]); }, light_grain);
   std::ranges::copy(a.cell_dofs, b.begin() + static_cast<std::ptrdiff_t>(a.matrix.size()));
 }
 

@@ -135,10 +135,11 @@ void Elimination::diagonals(const DragSystem& A, Field& diagonal, Field& smoothe
   float *D = diagonal.x(), *x = smoother.x(), *y = smoother.y();
   const auto bound = [=](std::size_t k, double b) { x[k] = y[k] = static_cast<float>(1.0 / b); };
   const double* from = A.diagonal.data();
-  parallel_for(m_matrix, [=](std::size_t k) {
+  const auto begin = [=](std::size_t k) {
     D[k] = static_cast<float>(from[k]);
     bound(k, from[k]);
-  });
+  };
+  parallel_for(m_matrix, begin, light_grain);
   for (const Linked& linked : m_linked) {
     D[linked.node] = static_cast<float>(linked.diagonal);
     bound(linked.node, linked.diagonal);

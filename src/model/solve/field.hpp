@@ -38,7 +38,7 @@ public:
   /// the same nodes, as in loops over nodes, so that they stay in its cache.
   template <class Body>
   void each_range(const Body& body) const {
-    parallel_ranges(m_size, 3 * parallel_block, [&](std::size_t begin, std::size_t end) {
+    parallel_ranges(m_size, light_grain, [&](std::size_t begin, std::size_t end) {
       for (const std::size_t first : {lanes, m_stride + lanes}) body(first + begin, first + end);
     });
   }

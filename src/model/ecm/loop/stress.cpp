@@ -290,9 +290,8 @@ DensityBounds advance_stress(EcmState& ecm, const EcmParameters& p, const Refere
                              double dt) {
   const double G = moduli(p).G;
   const bool uniform = ecm.E_ratio.empty();
-  parallel_parts((ecm.size() + parallel_block - 1) / parallel_block, [&](std::size_t b) {
-    keep_displacements(b * parallel_block, std::min(ecm.size(), (b + 1) * parallel_block), ecm.x[0].data(),
-                       ecm.X[0].data(), ecm.f.data(), solid.fu);
+  parallel_ranges(ecm.size(), light_grain, [&](std::size_t begin, std::size_t end) {
+    keep_displacements(begin, end, ecm.x[0].data(), ecm.X[0].data(), ecm.f.data(), solid.fu);
   });
   ref.each_row([&](const RowTerms& terms) {
     const std::size_t last = terms.row.begin + terms.row.count;
@@ -316,7 +315,7 @@ DensityBounds advance_stress(EcmState& ecm, const EcmParameters& p, const Refere
 
 DensityBounds count_density_bounds(const EcmState& ecm, const EcmParameters& p) {
   std::atomic<std::size_t> below = 0, above = 0;
-  parallel_ranges(ecm.size(), 4 * parallel_block, [&](std::size_t begin, std::size_t end) {
+  parallel_ranges(ecm.size(), light_grain, [&](std::size_t begin, std::size_t end) {
     const std::span<const double> rho = std::span(ecm.rho).subspan(begin, end - begin);
     below += static_cast<std::size_t>(std::ranges::count_if(rho, [&](double a) { return a <= p.density_min; }));
     above += static_cast<std::size_t>(std::ranges::count_if(rho, [&](double a) { return a >= p.density_max; }));
