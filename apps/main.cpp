@@ -77,8 +77,8 @@ std::string number_of(const CLI::Option& option, const std::string& range) {
 
 /// Of an option whose text is no number, or one out of its range: what is wanted; else nothing.
 std::string number_fault(const CLI::App& verb, const std::string& what) {
-  static const std::regex no_number("Could not convert: (-[^ ]+) = ?(.*)");
-  static const std::regex out_of_range("(-[^ ]+): Value (.*) not in range ([^ ]+) to ([^ ]+)");
+  static const std::regex no_number("Could not convert: ([^ ]+) = ?(.*)");
+  static const std::regex out_of_range("([^ ]+): Value (.*) not in range ([^ ]+) to ([^ ]+)");
   constexpr std::size_t longest = 1000; // of a text that a regular expression is tried on
   if (what.size() > longest) return {};
   std::smatch found;

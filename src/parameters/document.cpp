@@ -1,6 +1,7 @@
 #include "parameters/document.hpp"
 
 #include "base/file.hpp"
+#include "base/text.hpp"
 #include "parameters/presets.hpp"
 
 #include <fmt/format.h>

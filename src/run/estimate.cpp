@@ -208,8 +208,8 @@ std::string note_of_drag(const Parameters& p) {
 }
 
 int threads_that_pay(std::size_t particles) {
-  // Measured: with 17,665 particles a second thread takes 42 % of the time off. A sixth of a run is
-  // serial, so that a fifth would bring 12 %.
+  // Measured: with 17,665 particles a second thread takes 41 % of the time off. A sixth of a run is
+  // serial, so that a fifth would bring 11 %.
   constexpr std::size_t of_a_thread = 8000, most = 4;
   return static_cast<int>(std::clamp<std::size_t>(particles / of_a_thread, 1, most));
 }

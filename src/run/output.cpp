@@ -73,9 +73,9 @@ Output rows(RunSoFar& run, const State& start) {
       memory.group.push_back(group_row(s, memory.rows, run.now));
       group->add(store::fields(memory.group.back()));
     }
-    for (const TrackRow& row : track_rows(s)) {
-      tracks->add(store::fields(row));
-      memory.rows.push_back(row);
+    for (const TrackRow& track : track_rows(s)) {
+      tracks->add(store::fields(track));
+      memory.rows.push_back(track);
     }
     health->add(store::fields(row));
     require_health(run, s, row);

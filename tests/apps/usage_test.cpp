@@ -45,6 +45,7 @@ TEST_F(Program, OptionsThatWantANumberSayWhich) {
            {"study run s.toml --jobs 0", "--jobs: \"0\" is not a whole number from 1 to 4096"},
            {"study submit s.toml --chunk x", "--chunk: \"x\" is not a whole number from 0 to 100000"},
            {"study submit s.toml --throttle -1", "--throttle: \"-1\" is not a whole number from 0 to 100000"},
+           {"study task e-study -1 --list l", "INDEX: \"-1\" is not a whole number from 0 to 100000"},
            {"reproduce A1 --replicates x", "--replicates: \"x\" is not a whole number from 1 to 100000"},
            {"export r --movie --seconds x", "--seconds: \"x\" is not a number from 0.1 to 3600"},
            {"tracks t.csv --shortest x", "--shortest: \"x\" is not a whole number from 0 to 100000"},

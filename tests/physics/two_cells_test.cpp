@@ -1,3 +1,4 @@
+#include "base/failure.hpp"
 #include "base/parallel.hpp"
 #include "cell/geometry.hpp"
 #include "ecm/degradation.hpp"
@@ -11,6 +12,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <string>
 
 using namespace matrigrate;
 
@@ -97,6 +99,24 @@ TEST(TwoCells, GiveTheSameBitsForAnyNumberOfThreads) { // their protrusions are 
   const State one = at_end(1);
   EXPECT_GT(one.cells[0].initiated + one.cells[1].initiated, 1U);
   for (const int threads : {2, 3, 5}) EXPECT_TRUE(same_bits(one, at_end(threads))) << threads;
+}
+
+TEST(TwoCells, IfBothFailTheFirstIsNamed) {
+  Parameters p = hasty_cells();
+  p.laws.initiation_rate = "-abs(x)";
+  for (const int threads : {1, 2, 5})
+    for (int again = 0; again < 5; ++again) {
+      const ThreadLimit limit(threads);
+      State s = two_cells(p);
+      Workspace w(s, p);
+      std::string why;
+      try {
+        advance(s, p, p.run.time_step, w);
+      } catch (const NumericalFailure& failure) {
+        why = failure.what();
+      }
+      EXPECT_NE(why.find("x = -"), std::string::npos) << threads << ": " << why; // the first cell is on the left
+    }
 }
 
 // Without protrusions nothing tells the cells apart: their order is that of sums.

@@ -9,7 +9,9 @@
 #include <atomic>
 #include <cmath>
 #include <cstddef>
+#include <exception>
 #include <span>
+#include <vector>
 
 namespace matrigrate {
 
@@ -21,10 +23,16 @@ std::span<const double> propensity_of(std::size_t cell, const Workspace& w) {
 
 void advance_protrusions(State& s, const Parameters& p, double dt, Workspace& w) {
   std::atomic<std::size_t> without_bias = 0;
+  std::vector<std::exception_ptr> failures(s.cells.size());
   parallel_parts(w.laws.size(), [&](std::size_t part) {
-    for (std::size_t k = part; k < s.cells.size(); k += w.laws.size())
-      if (advance_protrusions(s.cells[k], s.ecm, s.now(), p, dt, w.laws[part], propensity_of(k, w))) ++without_bias;
+    for (std::size_t k = part; k < s.cells.size(); k += w.laws.size()) try {
+        if (advance_protrusions(s.cells[k], s.ecm, s.now(), p, dt, w.laws[part], propensity_of(k, w))) ++without_bias;
+      } catch (...) {
+        failures[k] = std::current_exception();
+      }
   });
+  for (const std::exception_ptr& failure : failures) // the first, for any number of threads
+    if (failure) std::rethrow_exception(failure);
   w.without_bias = without_bias;
 }
 

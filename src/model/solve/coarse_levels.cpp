@@ -122,7 +122,7 @@ using Sparse = Eigen::SparseMatrix<double>;
 
 Sparse pair_drag_matrix(const DragSystem& A) {
   const auto n = static_cast<long>(A.pairs.size());
-  Sparse matrix(n, n); // its columns are the rows of A, in ascending order
+  Sparse matrix(n, n); // A is symmetric: column i is made of row i, whose entries come in ascending order
   for (long i = 0; i < n; ++i) {
     bool has_diagonal = false;
     const auto insert_diagonal = [&] {

@@ -145,13 +145,14 @@ private:
            [of](const FrameArray& array, const observe::Frame& frame) { return array.compressed(of(frame)); }});
   }
 
-  /// What takes the time.
+  /// The arrays of a frame as they are written; to compress them takes most of the time.
   std::vector<std::string> compressed(const observe::Frame& frame) const {
     std::vector<std::string> all(m_columns.size());
     parallel_parts(all.size(), [&](std::size_t k) { all[k] = m_columns[k].compressed(m_columns[k].array, frame); });
     return all;
   }
 
+  /// @param arrays  compressed() of the frame
   void add(const observe::Frame& frame, const std::vector<std::string>& arrays) {
     const std::size_t now = m_times.size();
     for (std::size_t k = 0; k < m_columns.size(); ++k) {
@@ -257,7 +258,7 @@ std::string item(std::string_view name, std::string_view type, std::size_t k, st
 }
 
 constexpr std::string_view floating = "NumberType=\"Float\" Precision=\"4\"";
-constexpr std::string_view bytes = "NumberType=\"UChar\" Precision=\"1\"";
+constexpr std::string_view single_bytes = "NumberType=\"UChar\" Precision=\"1\"";
 constexpr std::string_view whole_numbers = "NumberType=\"UInt\" Precision=\"4\"";
 
 std::string attribute(std::string_view name, std::string_view type, std::size_t k, std::size_t n, int components) {
@@ -273,7 +274,7 @@ std::string attributes(std::string_view body, const observe::Frame& frame, std::
     if (field.name.starts_with(body) && field.name != "outline/position" && !field.in(frame).empty())
       text += attribute(field.name, floating, k, n, field.components == 2 ? 3 : 1);
   for (const auto& field : observe::byte_fields())
-    if (field.name.starts_with(body)) text += attribute(field.name, bytes, k, n, 1);
+    if (field.name.starts_with(body)) text += attribute(field.name, single_bytes, k, n, 1);
   return text;
 }
 
@@ -334,7 +335,7 @@ std::string field_index(const observe::Frame* first, std::span<const double> tim
     std::string outline;
     for (std::size_t k = 0; k < times.size(); ++k) {
       matrix += grid("matrix", points(n), times[k], k, n,
-                     attributes("matrix/", *first, k, n) + attribute("matrix/solid", bytes, k, n, 1));
+                     attributes("matrix/", *first, k, n) + attribute("matrix/solid", single_bytes, k, n, 1));
       if (m > 0) outline += grid("outline", lines, times[k], k, m, attributes("outline/", *first, k, m));
     }
     text += collection("matrix", matrix);
