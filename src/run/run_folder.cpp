@@ -80,7 +80,7 @@ void RunFolder::see(const State& s, const Workspace& w, const RunRecord& record)
   const bool keep = m_kept_cadence.due(s.t);
   const bool due = m_checkpoint_cadence.due(s.t) || keep;
   if (due && m_keeps_checkpoints) write_checkpoint(s, w, record.march_wall_time, keep);
-  if (due) m_run.behind.add([this, text = text_of(record)] { write_file(m_run.folder / "run.json", text); });
+  if (due) m_run.behind.add([this, record] { write_file(m_run.folder / "run.json", text_of(record)); });
 }
 
 void RunFolder::write_checkpoint(const State& s, const Workspace& w, double march_wall_time, bool keep) {
@@ -93,14 +93,15 @@ void RunFolder::write_checkpoint(const State& s, const Workspace& w, double marc
   m_run.memory.march_wall_time = march_wall_time;
   const std::filesystem::path checkpoints = m_run.folder / "checkpoints";
   if (keep) make_folder(checkpoints);
-  const auto now =
-      std::make_shared<const store::Checkpoint>(store::Checkpoint{.state = s,
-                                                                  .scenario = to_toml(m_run.p),
-                                                                  .configuration_hash = configuration_hash(m_run.p),
-                                                                  .program = version_line(),
-                                                                  .memory = store::to_text(m_run.memory)});
+  const auto now = std::make_shared<store::Checkpoint>(store::Checkpoint{.state = s,
+                                                                         .scenario = {},
+                                                                         .configuration_hash = {},
+                                                                         .program = version_line(),
+                                                                         .memory = store::to_text(m_run.memory)});
   const auto kept = keep ? std::optional(checkpoints / (time_name(s.t) + ".h5")) : std::nullopt;
   m_run.behind.add([this, now, kept] {
+    now->scenario = to_toml(m_run.p);
+    now->configuration_hash = configuration_hash(m_run.p);
     for (const Regular& regular : m_outputs)
       if (regular.output.flush) regular.output.flush();
     store::write_checkpoint(m_run.folder, *now, kept);

@@ -110,9 +110,9 @@ void add_adhesions(const Cell& cell, const EcmState& ecm, const AdhesionParamete
   }
 }
 
-void move_anchors(Cell& cell, const EcmState& ecm, std::span<const PointWeights> weights, double dt) {
+void move_anchors(Cell& cell, std::span<const Vec2> v, std::span<const PointWeights> weights, double dt) {
   for (std::size_t n = 0; n < cell.protrusions.size(); ++n)
-    if (Vec2* point = anchor(cell.protrusions[n].phase)) *point += dt * interpolate(weights[n], ecm.v);
+    if (Vec2* point = anchor(cell.protrusions[n].phase)) *point += dt * interpolate(weights[n], v);
 }
 
 } // namespace matrigrate

@@ -1,6 +1,7 @@
 #include "simulation/march.hpp"
 
 #include "base/failure.hpp"
+#include "base/parallel.hpp"
 #include "simulation/advance.hpp"
 #include "simulation/step_limits.hpp"
 
@@ -11,6 +12,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <vector>
 
 namespace matrigrate {
 
@@ -18,7 +20,7 @@ namespace {
 
 /// Largest |v|^2, in SIMD lanes [um^2/s^2].
 MATRIGRATE_SIMD
-double max_squared(std::span<const Vec2> v) {
+double max_squared_of(std::span<const Vec2> v) {
   constexpr std::size_t lanes = 8;
   std::array<double, lanes> largest{};
   std::size_t i = 0;
@@ -29,6 +31,15 @@ double max_squared(std::span<const Vec2> v) {
     }
   for (; i < v.size(); ++i) largest[0] = std::max(largest[0], v[i].squaredNorm());
   return *std::ranges::max_element(largest);
+}
+
+double max_squared(std::span<const Vec2> v) {
+  std::vector<double> largest((v.size() + light_grain - 1) / light_grain, 0.0);
+  parallel_parts(largest.size(), [&](std::size_t k) {
+    const std::size_t begin = k * light_grain;
+    largest[k] = max_squared_of(v.subspan(begin, std::min(light_grain, v.size() - begin)));
+  });
+  return largest.empty() ? 0.0 : std::ranges::max(largest);
 }
 
 /// Of a particle of matrix or cells [um/s].
@@ -53,9 +64,11 @@ double step_to_try(const State& s, const Parameters& p, const StepLimits& limits
   return dt;
 }
 
-void advance_adaptively(State& s, const Parameters& p, Workspace& w, const Loads& loads, double longest) {
+namespace {
+
+/// Makes a step of dt, halved until nothing moves further than usual_move and no cell crosses itself.
+void advance_adaptively(State& s, const Parameters& p, Workspace& w, const Loads& loads, double dt) {
   const double shortest = shortest_step(p);
-  double dt = std::min(step_to_try(s, p, w.limits), longest);
   for (bool tried_once = false;; tried_once = true, dt *= 0.5) {
     const bool last = dt < 1.5 * shortest;
     const auto refused = advance(
@@ -66,24 +79,21 @@ void advance_adaptively(State& s, const Parameters& p, Workspace& w, const Loads
   }
 }
 
-namespace {
-
 bool is_adaptive(const Parameters& p) { return p.run.integrator == Integrator::adaptive; }
 
 /// How exactly times agree [s].
 double rounding(const Parameters& p) { return 1e-6 * shortest_step(p); }
 
-/// Whether the next step would end at t_end or before.
-bool has_room(const State& s, const Parameters& p, const Workspace& w, double t_end) {
-  const double dt = is_adaptive(p) ? step_to_try(s, p, w.limits) : p.run.time_step;
-  return s.t + dt <= t_end + rounding(p);
+double next_step(const State& s, const Parameters& p, const Workspace& w) {
+  return is_adaptive(p) ? step_to_try(s, p, w.limits) : p.run.time_step;
 }
 
-void make_step(State& s, const Parameters& p, Workspace& w, const Loads& loads) {
+/// A step of dt, or of less where the integrator is adaptive.
+void make_step(State& s, const Parameters& p, double dt, Workspace& w, const Loads& loads = {}) {
   if (is_adaptive(p))
-    advance_adaptively(s, p, w, loads);
+    advance_adaptively(s, p, w, loads, dt);
   else
-    advance(s, p, p.run.time_step, w, loads);
+    advance(s, p, dt, w, loads);
 }
 
 } // namespace
@@ -93,7 +103,7 @@ void march(State& s, const Parameters& p, Workspace& w, double t_end, const Load
   require_stable_step(p, w.limits);
   const double slack = 0.5 * shortest_step(p);
   while (s.t < t_end - slack) {
-    make_step(s, p, w, loads);
+    make_step(s, p, next_step(s, p, w), w, loads);
     if (each_step && !each_step(s)) return;
   }
 }
@@ -101,11 +111,13 @@ void march(State& s, const Parameters& p, Workspace& w, double t_end, const Load
 bool march_within(State& s, const Parameters& p, Workspace& w, double t_end,
                   const std::function<bool(const State&)>& each_step) {
   require_stable_step(p, w.limits);
-  while (has_room(s, p, w, t_end)) {
-    make_step(s, p, w, {});
-    if (!each_step(s)) return !has_room(s, p, w, t_end);
+  const double latest = t_end + rounding(p);
+  double dt = next_step(s, p, w);
+  for (bool goes_on = true; goes_on && s.t + dt <= latest; dt = next_step(s, p, w)) {
+    make_step(s, p, dt, w);
+    goes_on = each_step(s);
   }
-  return true;
+  return s.t + dt > latest;
 }
 
 bool is_before(const State& s, const Parameters& p, double t_end) { return s.t < t_end - rounding(p); }
@@ -116,12 +128,7 @@ bool is_within_step(double t, const Parameters& p) {
 }
 
 void shorten_last_step(State& s, const Parameters& p, Workspace& w, double t_end) {
-  while (is_before(s, p, t_end)) {
-    if (is_adaptive(p))
-      advance_adaptively(s, p, w, {}, t_end - s.t);
-    else
-      advance(s, p, std::min(p.run.time_step, t_end - s.t), w, {});
-  }
+  while (is_before(s, p, t_end)) make_step(s, p, std::min(next_step(s, p, w), t_end - s.t), w);
   s.t = t_end; // the sum of times is rounded
 }
 

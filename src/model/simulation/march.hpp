@@ -3,7 +3,6 @@
 #include "simulation/equations.hpp"
 
 #include <functional>
-#include <limits>
 
 namespace matrigrate {
 
@@ -35,13 +34,9 @@ void shorten_last_step(State& s, const Parameters& p, Workspace& w, double t_end
 // Test: tests/unit/simulation/step_limits_test.cpp, tests/physics/march_test.cpp
 
 /// The longest step to try from here [s]. It is stable, s.t is a multiple of it (so that the run reaches all multiples
-/// of run.time_step), and at the speeds of the last step nothing would move much further than usual_move.
+/// of run.time_step), and at the speeds of the last step nothing would move much further than usual_move. It is halved
+/// until nothing does, and no cell crosses itself; where even the shortest step is too long, a march ends with a
+/// NumericalFailure, and the state is as before.
 double step_to_try(const State& s, const Parameters& p, const StepLimits& limits);
-
-/// Makes that step, halved until nothing moves further than usual_move and no cell crosses itself.
-/// @param longest  of the step, to end between the multiples of run.time_step [s]
-/// @throws NumericalFailure as advance(), also if the shortest step is still too long; the state is then unchanged
-void advance_adaptively(State& s, const Parameters& p, Workspace& w, const Loads& loads,
-                        double longest = std::numeric_limits<double>::infinity());
 
 } // namespace matrigrate

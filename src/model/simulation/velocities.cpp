@@ -90,13 +90,6 @@ std::optional<StepTooLong> crossing(const State& s, double dt, std::span<const V
   return {};
 }
 
-/// Makes v the velocities of matrix and cells.
-void accept(State& s, Workspace& w) {
-  std::swap(s.solver_memory.v_before, w.v_now);
-  std::swap(s.solver_memory.x_drag, w.drag_cache.x_drag());
-  set_node_velocities(s, w.v);
-}
-
 } // namespace
 
 void extrapolate_velocities(const State& s, Workspace& w) {
@@ -125,20 +118,25 @@ std::optional<StepTooLong> solve_velocities(State& s, const Parameters& p, doubl
                   if (!bounds.may_cross) crossed = crossing(s, dt, w.v);
                 }});
   if (further || crossed) return further ? further : crossed;
-  accept(s, w);
+  std::swap(s.solver_memory.v_before, w.v_now);
+  std::swap(s.solver_memory.x_drag, w.drag_cache.x_drag());
   return {};
 }
 
 namespace {
 
+void move(CortexState& ring, double dt, std::span<const Vec2> v) {
+  ring.v.assign(v.begin(), v.end());
+  for (std::size_t i = 0; i < ring.size(); ++i) ring.x[i] += dt * v[i];
+}
+
 void move_cells(State& s, const Parameters& p, double dt, const Workspace& w) {
+  const std::span<const Vec2> v(w.v);
   for (std::size_t k = 0; k < s.cells.size(); ++k) {
-    CortexState& c = s.cells[k].cortex;
-    for (std::size_t i = 0; i < c.size(); ++i) c.x[i] += dt * c.v[i];
-    CortexState& nucleus = s.cells[k].nucleus;
-    for (std::size_t i = 0; i < nucleus.size(); ++i) nucleus.x[i] += dt * nucleus.v[i];
+    move(s.cells[k].cortex, dt, of_cell(s, k, v));
+    move(s.cells[k].nucleus, dt, of_nucleus(s, k, v));
     spread_evenly(s.cells[k], p.protrusion, dt);
-    move_anchors(s.cells[k], s.ecm, w.cells[k].anchor_weights, dt);
+    move_anchors(s.cells[k], v, w.cells[k].anchor_weights, dt);
   }
 }
 
@@ -147,9 +145,11 @@ void move_cells(State& s, const Parameters& p, double dt, const Workspace& w) {
 void move(State& s, const Parameters& p, double dt, Workspace& w) {
   side_by_side({[&] { move_cells(s, p, dt, w); },
                 [&] {
-                  const auto go = [x = s.ecm.x.data(), v = s.ecm.v.data(), dt](std::size_t i) { x[i] += dt * v[i]; };
-                  parallel_for(s.ecm.size(), go, light_grain);
-                  const DensityBounds bounds = advance_stress(s.ecm, p.ecm, w.reference, w.solid, dt);
+                  const auto move_on = [v = w.v.data(), to = s.ecm.v.data(), x = s.ecm.x.data(),
+                                        dt](std::size_t begin, std::size_t end) {
+                    for (std::size_t i = begin; i < end; ++i) x[i] += dt * (to[i] = v[i]);
+                  };
+                  const DensityBounds bounds = advance_stress(s.ecm, p.ecm, w.reference, w.solid, dt, move_on);
                   w.health.density_bounds = bounds.below + bounds.above;
                 }});
 }

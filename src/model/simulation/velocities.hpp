@@ -27,16 +27,16 @@ struct StepTooLong {
 /// solver.
 void extrapolate_velocities(const State& s, Workspace& w);
 
-/// Completes F (simulation/equations.hpp) and solves A v = F, Eqs. (1) and (2), for the velocities of matrix and cells,
-/// from the first guess in Workspace::v.
+/// Completes F (simulation/equations.hpp) and solves A v = F, Eqs. (1) and (2), for the velocities of matrix and cells
+/// in Workspace::v, from the first guess there.
 /// @return the bound that a step of dt with these velocities would break, if any; the state is then unchanged, bit for
 /// bit
 /// @throws NumericalFailure if the system was not solved; the state is then unchanged
 std::optional<StepTooLong> solve_velocities(State& s, const Parameters& p, double dt, Workspace& w, const Loads& loads,
                                             const StepBounds& bounds);
 
-/// Advances positions, density and stress by dt with the velocities of the state (ecm/loop/stress), the stress by
-/// the change of F over the step. Growing protrusions spread, and anchors move with the matrix. Test:
+/// Makes Workspace::v the velocities of the state, and advances positions, density and stress by dt with them
+/// (ecm/loop/stress), the stress by the change of F over the step. Growing protrusions spread, and anchors move with the matrix. Test:
 /// tests/physics/advance_test.cpp
 void move(State& s, const Parameters& p, double dt, Workspace& w);
 

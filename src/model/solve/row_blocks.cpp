@@ -123,12 +123,10 @@ void RowPattern::update(const Adjacency& pairs, std::span<const std::uint8_t> pr
   m_blocks.resize((m_size + lanes - 1) / lanes);
   m_meets_prescribed.resize(m_blocks.size());
   const auto is_prescribed = [prescribed](std::size_t i) { return !prescribed.empty() && prescribed[i] != 0; };
-  std::vector<std::int32_t> of_row, both;
-  for (std::size_t block = 0; block < m_blocks.size(); ++block) {
+  const auto update = [&](std::size_t block, std::vector<std::int32_t>& of_row, std::vector<std::int32_t>& both) {
     const std::size_t row = lanes * block;
     const std::size_t end = std::min(m_size, row + lanes);
-    if (!all && std::ranges::find(changed.subspan(row, end - row), 1) == changed.subspan(row, end - row).end())
-      continue;
+    if (!all && std::ranges::find(changed.subspan(row, end - row), 1) == changed.subspan(row, end - row).end()) return;
     std::vector<std::int32_t>& distances = m_blocks[block];
     distances.clear();
     bool meets = false;
@@ -148,7 +146,12 @@ void RowPattern::update(const Adjacency& pairs, std::span<const std::uint8_t> pr
       distances.assign(both.begin(), both.end());
     }
     m_meets_prescribed[block] = meets ? 1 : 0;
-  }
+  };
+  constexpr std::size_t grain = 64;
+  parallel_ranges(m_blocks.size(), grain, [&](std::size_t begin, std::size_t end) {
+    std::vector<std::int32_t> of_row, both;
+    for (std::size_t block = begin; block < end; ++block) update(block, of_row, both);
+  });
 }
 
 void RowBlocks::fit(const RowPattern& pattern, std::span<const std::uint8_t> changed, std::span<std::uint8_t> marks) {

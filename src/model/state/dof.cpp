@@ -1,7 +1,5 @@
 #include "state/dof.hpp"
 
-#include "base/parallel.hpp"
-
 namespace matrigrate {
 
 std::uint32_t first_node(const State& s, std::size_t cell) {
@@ -44,16 +42,6 @@ void node_velocities(const State& s, std::vector<Vec2>& v) {
   v.assign(s.ecm.v.begin(), s.ecm.v.end());
   for (const Cell& cell : s.cells)
     for (const CortexState* ring : {&cell.cortex, &cell.nucleus}) v.insert(v.end(), ring->v.begin(), ring->v.end());
-}
-
-void set_node_velocities(State& s, std::span<const Vec2> v) {
-  const auto take = [&v](std::size_t n, std::vector<Vec2>& to) {
-    parallel_copy(v.first(n), to);
-    v = v.subspan(n);
-  };
-  take(s.ecm.size(), s.ecm.v);
-  for (Cell& cell : s.cells)
-    for (CortexState* ring : {&cell.cortex, &cell.nucleus}) take(ring->size(), ring->v);
 }
 
 } // namespace matrigrate

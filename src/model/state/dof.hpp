@@ -49,7 +49,4 @@ std::vector<Vec2> node_velocities(const State& s);
 /// The same, into v, whose memory is reused.
 void node_velocities(const State& s, std::vector<Vec2>& v);
 
-/// Makes v the velocities of matrix and cells.   @param v  of all nodes [um/s]
-void set_node_velocities(State& s, std::span<const Vec2> v);
-
 } // namespace matrigrate

@@ -167,7 +167,7 @@ TEST(Anchors, AreCarriedByTheSolid) {
   Mat2 L;
   L << 0.001, 0.002, -0.001, 0.0005;
   for (std::size_t k = 0; k < s.ecm.size(); ++k) s.ecm.v[k] = Vec2(0.01, 0.02) + L * (s.ecm.x[k] - before);
-  move_anchors(s.cell, s.ecm, anchor_weights(s.cell, s.ecm, p), time_step);
+  move_anchors(s.cell, s.ecm.v, anchor_weights(s.cell, s.ecm, p), time_step);
   const double off_centre = 0.05; // [um] the weights' mean position, off the lattice points
   EXPECT_LT((*anchor(s.cell.protrusions[0].phase) - before - time_step * Vec2(0.01, 0.02)).norm(),
             time_step * L.norm() * off_centre);

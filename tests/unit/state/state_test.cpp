@@ -60,27 +60,12 @@ TEST(Nodes, OfANucleusFollowThoseOfItsCortex) {
   EXPECT_EQ(first_node(s, 1), 7U);
   EXPECT_EQ(node_position(s, 6).x(), 21.0);
   EXPECT_EQ(node_position(s, 8).x(), 6.0);
-  std::vector<Vec2> v = node_velocities(s);
+  const std::vector<Vec2> v = node_velocities(s);
   EXPECT_EQ(v[5].x(), 30.0);
   EXPECT_EQ(v[8].x(), 16.0);
   EXPECT_EQ(of_nucleus(s, 0, std::span(v)).size(), 2U);
   EXPECT_EQ(of_nucleus(s, 0, std::span(v))[1].x(), 31.0);
   EXPECT_EQ(of_cell(s, 0, std::span(v)).size(), 3U);
-  for (Vec2& velocity : v) velocity.y() = velocity.x();
-  set_node_velocities(s, v);
-  EXPECT_EQ(s.cells[0].nucleus.v[1].y(), 31.0);
-  EXPECT_EQ(node_velocities(s), v);
-}
-
-TEST(Nodes, TakeTheirVelocitiesBack) {
-  State s = small_state();
-  std::vector<Vec2> v = node_velocities(s);
-  for (Vec2& velocity : v) velocity.y() = 1.0;
-  set_node_velocities(s, v);
-  EXPECT_EQ(node_velocities(s), v);
-  EXPECT_EQ(s.ecm.v.size(), 2U);
-  EXPECT_EQ(s.cells[0].cortex.v.size(), 3U);
-  EXPECT_EQ(s.cells[1].cortex.v[1], Vec2(16.0, 1.0));
 }
 
 TEST(Nodes, OfTheMatrixAloneAreItsParticles) {

@@ -286,13 +286,15 @@ void advance_stress_of(EcmState& ecm, std::size_t i, const Mat2& L, const EcmPar
   ecm.S[i] = matrix(now.S);
 }
 
-DensityBounds advance_stress(EcmState& ecm, const EcmParameters& p, const Reference& ref, SolidFields& solid,
-                             double dt) {
+DensityBounds advance_stress(EcmState& ecm, const EcmParameters& p, const Reference& ref, SolidFields& solid, double dt,
+                             const std::function<void(std::size_t, std::size_t)>& move) {
   const double G = moduli(p).G;
   const bool uniform = ecm.E_ratio.empty();
   parallel_ranges(ecm.size(), light_grain, [&](std::size_t begin, std::size_t end) {
+    if (move) move(begin, end);
     keep_displacements(begin, end, ecm.x[0].data(), ecm.X[0].data(), ecm.f.data(), solid.fu);
   });
+  std::atomic<std::size_t> below = 0, above = 0;
   ref.each_row([&](const RowTerms& terms) {
     const std::size_t last = terms.row.begin + terms.row.count;
     RowTensors H;
@@ -309,16 +311,11 @@ DensityBounds advance_stress(EcmState& ecm, const EcmParameters& p, const Refere
       advance_stress_of(ecm, i, velocity_gradient(rate, F), p, dt);
     }
     keep_deformation(ecm, terms.row, H, solid);
-  });
-  return count_density_bounds(ecm, p);
-}
-
-DensityBounds count_density_bounds(const EcmState& ecm, const EcmParameters& p) {
-  std::atomic<std::size_t> below = 0, above = 0;
-  parallel_ranges(ecm.size(), light_grain, [&](std::size_t begin, std::size_t end) {
-    const std::span<const double> rho = std::span(ecm.rho).subspan(begin, end - begin);
-    below += static_cast<std::size_t>(std::ranges::count_if(rho, [&](double a) { return a <= p.density_min; }));
-    above += static_cast<std::size_t>(std::ranges::count_if(rho, [&](double a) { return a >= p.density_max; }));
+    const std::span<const double> rho = std::span(ecm.rho).subspan(terms.row.begin, terms.row.count);
+    if (const auto n = std::ranges::count_if(rho, [&](double a) { return a <= p.density_min; }); n > 0)
+      below += static_cast<std::size_t>(n);
+    if (const auto n = std::ranges::count_if(rho, [&](double a) { return a >= p.density_max; }); n > 0)
+      above += static_cast<std::size_t>(n);
   });
   return {below, above};
 }

@@ -5,6 +5,8 @@
 #include "parameters/parameters.hpp"
 #include "state/ecm.hpp"
 
+#include <cstddef>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -71,14 +73,12 @@ struct DensityBounds {
 /// (explicit Euler), with L = (F_new - F)/dt F^-1 over reference neighbours.
 /// @param solid  in: fields at the start of the step, for the degradation of `ecm`; out: f, fu, H and F_partial at its
 /// end
-DensityBounds advance_stress(EcmState& ecm, const EcmParameters& p, const Reference& ref, SolidFields& solid,
-                             double dt);
+/// @param move   called first, for ranges of particles that make up the matrix: moves them to the end of the step
+DensityBounds advance_stress(EcmState& ecm, const EcmParameters& p, const Reference& ref, SolidFields& solid, double dt,
+                             const std::function<void(std::size_t begin, std::size_t end)>& move = {});
 
 /// Advances density and deviatoric stress of one particle by dt under the velocity gradient L [1/s], explicit Euler.
 void advance_stress_of(EcmState& ecm, std::size_t i, const Mat2& L, const EcmParameters& p, double dt);
-
-/// Counts the particles whose density is at a bound.
-DensityBounds count_density_bounds(const EcmState& ecm, const EcmParameters& p);
 
 // The elastic forces of a matrix whose Young's modulus varies from particle to particle (EcmState::E_ratio): those of
 // ecm/loop/stress.hpp with K_i, G_i in proportion to E_i, and with the mean of E_i and E_j in the hourglass penalty of
