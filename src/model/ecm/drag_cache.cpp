@@ -21,13 +21,17 @@ DragTiles::DragTiles(std::span<const Vec2> X, double spacing) {
   }
 }
 
-void DragTiles::refresh(std::span<const Vec2> x, double lag, std::vector<Vec2>& x_drag) const {
-  if (x_drag.size() != x.size()) x_drag.assign(x.begin(), x.end());
+void DragTiles::refresh(std::span<const Vec2> x, double lag, std::span<const Vec2> before,
+                        std::vector<Vec2>& x_drag) const {
+  if (before.size() != x.size()) before = x;
+  x_drag.resize(x.size());
   const double max_squared = lag * lag;
   const auto refresh_tile = [&](std::size_t k) {
     const auto tile = std::span(m_particle).subspan(m_first[k], m_first[k + 1] - m_first[k]);
-    if (std::ranges::any_of(tile, [&](std::uint32_t i) { return (x[i] - x_drag[i]).squaredNorm() > max_squared; }))
-      for (const std::uint32_t i : tile) x_drag[i] = x[i];
+    const bool stays =
+        std::ranges::all_of(tile, [&](std::uint32_t i) { return !((x[i] - before[i]).squaredNorm() > max_squared); });
+    const std::span<const Vec2> from = stays ? before : x;
+    for (const std::uint32_t i : tile) x_drag[i] = from[i];
   };
   parallel_for(m_first.size() - 1, refresh_tile, 32);
 }
@@ -47,8 +51,7 @@ std::vector<std::uint8_t> DragCache::refresh_pattern(const VerletList& neighbour
 void DragCache::assemble(const EcmState& ecm, const EcmParameters& p, const VerletList& neighbours,
                          std::span<const Vec2> x_drag, double lag, double theta, DragSystem& A) {
   const std::vector<std::uint8_t> changed = refresh_pattern(neighbours, ecm.clamped);
-  parallel_copy(x_drag, m_x_drag);
-  m_tiles.refresh(ecm.x, lag, m_x_drag);
+  m_tiles.refresh(ecm.x, lag, x_drag, m_x_drag);
   m_rows.assemble(ecm, m_x_drag, p, neighbours.pairs(), m_pattern, changed, theta, A);
 }
 

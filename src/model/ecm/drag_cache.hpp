@@ -19,9 +19,10 @@ public:
   /// @param X  reference positions [um]   @param spacing  of the lattice [um]
   DragTiles(std::span<const Vec2> X, double spacing);
 
-  /// x_drag are the positions at which the drag coefficients were last evaluated. Sets them to x in every tile in which
-  /// a particle has moved further than `lag` [um] since then, and in all tiles if x_drag and x differ in size.
-  void refresh(std::span<const Vec2> x, double lag, std::vector<Vec2>& x_drag) const;
+  /// Makes x_drag the positions at which to evaluate the drag coefficients: where they were last evaluated, but x in
+  /// every tile in which a particle has moved further than `lag` since then, and in all if none or others are given.
+  /// @param x, before  now and then [um]
+  void refresh(std::span<const Vec2> x, double lag, std::span<const Vec2> before, std::vector<Vec2>& x_drag) const;
 
 private:
   std::vector<std::uint32_t>

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -77,7 +78,9 @@ public:
   void residual(const Field& D, const Field& b, const Field& x, Field& y) const;
 
   /// The same in double precision, with one D per row.
-  void residual(std::span<const double> D, const DoubleField& b, const DoubleField& x, DoubleField& y) const;
+  /// @param with  called with ranges of rows that make up all, when their y is known
+  void residual(std::span<const double> D, const DoubleField& b, const DoubleField& x, DoubleField& y,
+                const std::function<void(std::size_t begin, std::size_t end)>& with = {}) const;
 
 private:
   static constexpr std::size_t blocks_per_part = 64;

@@ -264,7 +264,7 @@ TEST(DragTiles, AreRefreshedTogetherWhereOneParticleHasMovedFurtherThanTheLag) {
   EcmState ecm = rectangle(p, 80.0, 40.0, 0.0);
   const DragTiles tiles(ecm.X, p.particle_spacing);
   std::vector<Vec2> x_drag;
-  tiles.refresh(ecm.x, 0.01, x_drag);
+  tiles.refresh(ecm.x, 0.01, x_drag, x_drag);
   EXPECT_EQ(x_drag, ecm.x);
   const auto tile_of = [&](std::size_t i) {
     const double width = 8.0 * p.particle_spacing;
@@ -275,10 +275,10 @@ TEST(DragTiles, AreRefreshedTogetherWhereOneParticleHasMovedFurtherThanTheLag) {
   ASSERT_NE(tile_of(3), tile_of(far));
   for (Vec2& x : ecm.x) x += Vec2(0.009, 0.0);
   ecm.x[3] = before[3] + Vec2(0.0, -0.011);
-  tiles.refresh(ecm.x, 0.01, x_drag);
+  tiles.refresh(ecm.x, 0.01, x_drag, x_drag);
   for (std::size_t i = 0; i < ecm.size(); ++i)
     EXPECT_EQ(x_drag[i], tile_of(i) == tile_of(3) ? ecm.x[i] : before[i]) << i;
-  tiles.refresh(ecm.x, 0.0, x_drag);
+  tiles.refresh(ecm.x, 0.0, x_drag, x_drag);
   EXPECT_EQ(x_drag, ecm.x);
 }
 

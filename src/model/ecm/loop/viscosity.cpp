@@ -160,10 +160,9 @@ void ViscosityRows::add_relaxation(const EcmState& ecm, double theta, DragSystem
   split(ecm.v, n, m_v);
   if (m_zero.size() != n) m_zero.resize(n);
   if (m_drag.size() != n) m_drag.resize(n);
-  A.pairs.residual(A.diagonal, m_zero, m_v.matrix, m_drag);
-  const double *x_drag = m_drag.x(), *y_drag = m_drag.y();
-  parallel_for(n, [&](std::size_t i) {
-    if (!A.prescribed[i]) A.F[i] -= theta / (1.0 + theta) * (A.F[i] + Vec2(x_drag[i], y_drag[i]));
+  A.pairs.residual(A.diagonal, m_zero, m_v.matrix, m_drag, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i)
+      if (!A.prescribed[i]) A.F[i] -= theta / (1.0 + theta) * (A.F[i] + Vec2(m_drag.x()[i], m_drag.y()[i]));
   });
 }
 
