@@ -93,11 +93,8 @@ void RunFolder::write_checkpoint(const State& s, const Workspace& w, double marc
   m_run.memory.march_wall_time = march_wall_time;
   const std::filesystem::path checkpoints = m_run.folder / "checkpoints";
   if (keep) make_folder(checkpoints);
-  const auto now = std::make_shared<store::Checkpoint>(store::Checkpoint{.state = s,
-                                                                         .scenario = {},
-                                                                         .configuration_hash = {},
-                                                                         .program = version_line(),
-                                                                         .memory = store::to_text(m_run.memory)});
+  const auto now = std::make_shared<store::Checkpoint>(
+      store::Checkpoint{s, {}, {}, version_line(), store::to_text(m_run.memory)}); // more below, beside the next steps
   const auto kept = keep ? std::optional(checkpoints / (time_name(s.t) + ".h5")) : std::nullopt;
   m_run.behind.add([this, now, kept] {
     now->scenario = to_toml(m_run.p);

@@ -65,7 +65,7 @@ void add_adhesions(const Cell& cell, const EcmState& ecm, const AdhesionParamete
                    std::span<const LawPlace> places, std::span<const PointWeights> weights, double dt,
                    std::uint32_t first, std::span<Vec2> force, NodeForces& on_matrix, DragSystem& A);
 
-/// The solid carries the anchors along for dt.   @param v  velocities of the particles of the matrix [um/s]
+/// The solid carries the anchors along for dt.   @param v  velocities of its particles, and perhaps others [um/s]
 void move_anchors(Cell& cell, std::span<const Vec2> v, std::span<const PointWeights> weights, double dt);
 
 } // namespace matrigrate

@@ -145,11 +145,10 @@ void move_cells(State& s, const Parameters& p, double dt, const Workspace& w) {
 void move(State& s, const Parameters& p, double dt, Workspace& w) {
   side_by_side({[&] { move_cells(s, p, dt, w); },
                 [&] {
-                  const auto move_on = [v = w.v.data(), to = s.ecm.v.data(), x = s.ecm.x.data(),
-                                        dt](std::size_t begin, std::size_t end) {
+                  const auto go = [v = w.v.data(), to = s.ecm.v.data(), x = s.ecm.x.data(), dt](auto begin, auto end) {
                     for (std::size_t i = begin; i < end; ++i) x[i] += dt * (to[i] = v[i]);
                   };
-                  const DensityBounds bounds = advance_stress(s.ecm, p.ecm, w.reference, w.solid, dt, move_on);
+                  const DensityBounds bounds = advance_stress(s.ecm, p.ecm, w.reference, w.solid, dt, go);
                   w.health.density_bounds = bounds.below + bounds.above;
                 }});
 }

@@ -36,8 +36,8 @@ std::optional<StepTooLong> solve_velocities(State& s, const Parameters& p, doubl
                                             const StepBounds& bounds);
 
 /// Makes Workspace::v the velocities of the state, and advances positions, density and stress by dt with them
-/// (ecm/loop/stress), the stress by the change of F over the step. Growing protrusions spread, and anchors move with the matrix. Test:
-/// tests/physics/advance_test.cpp
+/// (ecm/loop/stress), the stress by the change of F over the step. Growing protrusions spread, and anchors move with
+/// the matrix. Test: tests/physics/advance_test.cpp
 void move(State& s, const Parameters& p, double dt, Workspace& w);
 
 } // namespace matrigrate

@@ -147,8 +147,7 @@ void RowPattern::update(const Adjacency& pairs, std::span<const std::uint8_t> pr
     }
     m_meets_prescribed[block] = meets ? 1 : 0;
   };
-  constexpr std::size_t grain = 64;
-  parallel_ranges(m_blocks.size(), grain, [&](std::size_t begin, std::size_t end) {
+  parallel_ranges(m_blocks.size(), 64, [&](std::size_t begin, std::size_t end) {
     std::vector<std::int32_t> of_row, both;
     for (std::size_t block = begin; block < end; ++block) update(block, of_row, both);
   });

@@ -228,53 +228,32 @@ std::vector<std::uint32_t> VerletList::moved(std::span<const Vec2> x) const {
   return moved;
 }
 
-namespace {
-
-/// The new rows of some moved particles, of those whose rows change.
-struct NewRows {
-  struct Row {
-    std::uint32_t i;
-    std::size_t begin, end; // of its partners
-  };
-  std::vector<Row> rows;
-  std::vector<std::uint32_t> partners;
-};
-
-} // namespace
-
 /// Rebuilds the rows of the moved particles and updates the rows of their old and new neighbours.
 void VerletList::mend(std::span<const Vec2> x, double period_x, std::span<const std::uint32_t> moved) {
   m_changed.assign(x.size(), 0);
   for (const std::uint32_t i : moved) m_x_listed[i] = x[i];
   const double reach = m_reach + m_skin;
   const Grid grid = make_grid(near(moved, m_x_listed, reach, period_x), m_x_listed, reach, period_x);
-  constexpr std::size_t block = 32;
-  std::vector<NewRows> found((moved.size() + block - 1) / block);
-  parallel_parts(found.size(), [&](std::size_t b) {
-    auto& [rows, partners] = found[b];
-    for (const std::uint32_t i : moved.subspan(b * block, std::min(block, moved.size() - b * block))) {
-      const std::size_t begin = partners.size();
-      add_partners(grid, m_x_listed, i, reach, period_x, partners);
-      std::sort(partners.begin() + static_cast<std::ptrdiff_t>(begin), partners.end());
-      if (std::ranges::equal(m_pairs.of(i), std::span(partners).subspan(begin)))
-        partners.resize(begin);
-      else
-        rows.push_back({i, begin, partners.size()});
-    }
-  });
+  std::vector<std::vector<std::uint32_t>> rows(moved.size());
+  const auto find_row = [&](std::size_t k) {
+    rows[k].reserve(64); // more than most have
+    add_partners(grid, m_x_listed, moved[k], reach, period_x, rows[k]);
+    std::ranges::sort(rows[k]);
+  };
+  parallel_for(moved.size(), find_row, 32);
   std::vector<std::uint32_t> lost, gained;
-  for (const auto& [rows, all] : found)
-    for (const auto& [i, begin, end] : rows) {
-      const auto partners = std::span(all).subspan(begin, end - begin);
-      lost.clear();
-      gained.clear();
-      std::ranges::set_difference(m_pairs.of(i), partners, std::back_inserter(lost));
-      std::ranges::set_difference(partners, m_pairs.of(i), std::back_inserter(gained));
-      for (const std::uint32_t j : lost) remove(j, i);
-      bool fits = (lost.empty() && gained.empty()) || replace(i, partners);
-      for (std::size_t k = 0; fits && k < gained.size(); ++k) fits = insert(gained[k], i);
-      if (!fits) return list_anew(x, period_x);
-    }
+  for (std::size_t k = 0; k < moved.size(); ++k) {
+    const std::uint32_t i = moved[k];
+    if (std::ranges::equal(m_pairs.of(i), rows[k])) continue;
+    lost.clear();
+    gained.clear();
+    std::ranges::set_difference(m_pairs.of(i), rows[k], std::back_inserter(lost));
+    std::ranges::set_difference(rows[k], m_pairs.of(i), std::back_inserter(gained));
+    for (const std::uint32_t j : lost) remove(j, i);
+    bool fits = replace(i, rows[k]);
+    for (const std::uint32_t j : gained) fits = fits && insert(j, i);
+    if (!fits) return list_anew(x, period_x);
+  }
 }
 
 } // namespace matrigrate
