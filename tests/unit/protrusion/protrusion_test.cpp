@@ -180,8 +180,8 @@ TEST(Spreading, GoesAsFarInOneLongStepAsInManyShortOnes) {
   for (const int side : {-1, 1}) // straight flanks, spaced more and more widely
     for (int k = 0; k <= 20; ++k) {
       const double share = k * (k + 1) / 420.0;
-      const Vec2 tip = s.cell.cortex.x[100], base = s.cell.cortex.x[s.cell.cortex.along(100, 20 * side)];
-      if (k > 0 && k < 20) s.cell.cortex.x[s.cell.cortex.along(100, k * side)] = (1.0 - share) * tip + share * base;
+      const Vec2 middle = s.cell.cortex.x[100], base = s.cell.cortex.x[s.cell.cortex.along(100, 20 * side)];
+      if (k > 0 && k < 20) s.cell.cortex.x[s.cell.cortex.along(100, k * side)] = (1.0 - share) * middle + share * base;
     }
   Scene once = s;
   spread_evenly(once.cell, p.protrusion, 2.4);

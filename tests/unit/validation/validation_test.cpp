@@ -111,8 +111,8 @@ TEST(AffineLattice, WithHeldSidesIsConfinedWithoutFibres) {
   Parameters p;
   p.fibres.stiffness = 0.0;
   const std::vector<Stretch> curve = affine_lattice(p, 1e-3, 1, Sides::held);
-  const double nu = p.ecm.poissons_ratio;
-  const double confined = p.ecm.youngs_modulus * (1.0 - nu) / ((1.0 + nu) * (1.0 - 2.0 * nu));
+  const double poisson = p.ecm.poissons_ratio;
+  const double confined = p.ecm.youngs_modulus * (1.0 - poisson) / ((1.0 + poisson) * (1.0 - 2.0 * poisson));
   EXPECT_NEAR(curve[0].stress, confined * 1e-3, 0.002 * curve[0].stress);
   EXPECT_EQ(curve[0].lateral_strain, 0.0);
 }
@@ -133,9 +133,9 @@ TEST(AffineLattice, WithoutFibresIsTheElasticRestInPlaneStrain) {
   Parameters p;
   p.fibres.stiffness = 0.0;
   const std::vector<Stretch> curve = affine_lattice(p, 1e-3, 1, Sides::free);
-  const double nu = p.ecm.poissons_ratio;
-  EXPECT_NEAR(curve[0].stress, p.ecm.youngs_modulus / (1.0 - nu * nu) * 1e-3, 0.01 * curve[0].stress);
-  EXPECT_NEAR(curve[0].lateral_strain, -nu / (1.0 - nu) * 1e-3, 1e-5);
+  const double poisson = p.ecm.poissons_ratio;
+  EXPECT_NEAR(curve[0].stress, p.ecm.youngs_modulus / (1.0 - poisson * poisson) * 1e-3, 0.01 * curve[0].stress);
+  EXPECT_NEAR(curve[0].lateral_strain, -poisson / (1.0 - poisson) * 1e-3, 1e-5);
 }
 
 TEST(StressAt, InterpolatesFromTheOriginAndEndsWithTheCurve) {
