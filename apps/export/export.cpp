@@ -205,7 +205,7 @@ std::size_t frame_at(const run::FinishedRun& run, double t, std::string_view opt
 /// @param times  "0 h, 1 h 30 min, 6 h"
 /// @throws UsageError saying what cannot be read, or which time has no frame nearby
 std::vector<double> panel_times(const run::FinishedRun& run, const std::string& times) {
-  constexpr std::string_view panel_example = "an panel_example: --panel \"0 h, 1 h, 3 h, 6 h\"";
+  constexpr std::string_view panel_example = "an example: --panel \"0 h, 1 h, 3 h, 6 h\"";
   std::vector<double> chosen;
   for (const std::string& text : items_of(times)) try {
       chosen.push_back(run.film.frames[frame_at(run, time_of(text), "--panel")].t);

@@ -94,7 +94,7 @@ void RunFolder::write_checkpoint(const State& s, const Workspace& w, double marc
   const std::filesystem::path checkpoints = m_run.folder / "checkpoints";
   if (keep) make_folder(checkpoints);
   const auto now = std::make_shared<store::Checkpoint>(
-      store::Checkpoint{s, {}, {}, version_line(), store::to_text(m_run.memory)}); // more below, beside the next steps
+      store::Checkpoint{s, {}, {}, version_line(), store::to_text(m_run.memory)}); // the rest is below
   const auto kept = keep ? std::optional(checkpoints / (time_name(s.t) + ".h5")) : std::nullopt;
   m_run.behind.add([this, now, kept] {
     now->scenario = to_toml(m_run.p);

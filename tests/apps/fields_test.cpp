@@ -121,6 +121,8 @@ TEST_F(Fields, AreDrawnAtTimesAndInSizesThatThereAre) {
     EXPECT_EQ(ended.code, 2) << wrong;
     EXPECT_TRUE(contains(ended.err, "--panel")) << ended.err;
   }
+  const Ended unread = run("export here -o no --panel soon");
+  EXPECT_TRUE(contains(unread.err, "; an example: --panel \"0 h, 1 h, 3 h, 6 h\"")) << unread.err;
   for (const char* size : {"1280", "1281x720", "100x100", "axb", "640x480x2"})
     EXPECT_EQ(run(std::string("export here --movie -o no --size ") + size).code, 2) << size;
   EXPECT_FALSE(exists("no"));

@@ -7,6 +7,7 @@
 #include "parameters/read.hpp"
 #include "simulation/advance.hpp"
 #include "simulation/start.hpp"
+#include "state/dof.hpp"
 #include "store/checkpoint.hpp"
 
 #include <gtest/gtest.h>
@@ -99,6 +100,21 @@ TEST(TwoCells, GiveTheSameBitsForAnyNumberOfThreads) { // their protrusions are 
   const State one = at_end(1);
   EXPECT_GT(one.cells[0].initiated + one.cells[1].initiated, 1U);
   for (const int threads : {2, 3, 5}) EXPECT_TRUE(same_bits(one, at_end(threads))) << threads;
+}
+
+TEST(TwoCells, MoveByTheVelocitiesTheyTake) {
+  const Parameters p = apply_overrides(hasty_cells(), {"nucleus.radius=5 um"});
+  State s = two_cells(p);
+  ASSERT_GT(s.cells[0].nucleus.size(), 0U);
+  Workspace w(s, p);
+  for (int k = 0; k < 3; ++k) {
+    const State before = s;
+    advance(s, p, p.run.time_step, w);
+    EXPECT_EQ(node_velocities(s), w.v);
+    for (std::size_t i = 0; i < w.v.size(); ++i)
+      EXPECT_LT((node_position(s, i) - node_position(before, i) - p.run.time_step * w.v[i]).norm(), 1e-12) << i;
+  }
+  EXPECT_GT(w.v[first_nucleus_node(s, 0)].norm() + w.v[first_node(s, 1)].norm(), 0.0);
 }
 
 TEST(TwoCells, IfBothFailTheFirstIsNamed) {

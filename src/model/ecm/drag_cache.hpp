@@ -19,9 +19,9 @@ public:
   /// @param X  reference positions [um]   @param spacing  of the lattice [um]
   DragTiles(std::span<const Vec2> X, double spacing);
 
-  /// Makes x_drag the positions at which to evaluate the drag coefficients: where they were last evaluated, but x in
-  /// every tile in which a particle has moved further than `lag` since then, and in all if none or others are given.
-  /// @param x, before  now and then [um]
+  /// Finds where to evaluate the drag coefficients: at x in every tile in which a particle is further than `lag` from
+  /// where they were last evaluated, and there in the other tiles.
+  /// @param before  where they were last evaluated; x everywhere if it has another size   All are in um.
   void refresh(std::span<const Vec2> x, double lag, std::span<const Vec2> before, std::vector<Vec2>& x_drag) const;
 
 private:

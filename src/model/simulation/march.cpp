@@ -66,7 +66,8 @@ double step_to_try(const State& s, const Parameters& p, const StepLimits& limits
 
 namespace {
 
-/// Makes a step of dt, halved until nothing moves further than usual_move and no cell crosses itself.
+/// Makes a step of dt [s], halved until nothing moves further than usual_move and no cell crosses itself.
+/// @throws NumericalFailure as advance(), also if the shortest step is still too long; the state is then unchanged
 void advance_adaptively(State& s, const Parameters& p, Workspace& w, const Loads& loads, double dt) {
   const double shortest = shortest_step(p);
   for (bool tried_once = false;; tried_once = true, dt *= 0.5) {

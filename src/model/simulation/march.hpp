@@ -34,9 +34,8 @@ void shorten_last_step(State& s, const Parameters& p, Workspace& w, double t_end
 // Test: tests/unit/simulation/step_limits_test.cpp, tests/physics/march_test.cpp
 
 /// The longest step to try from here [s]. It is stable, s.t is a multiple of it (so that the run reaches all multiples
-/// of run.time_step), and at the speeds of the last step nothing would move much further than usual_move. It is halved
-/// until nothing does, and no cell crosses itself; where even the shortest step is too long, a march ends with a
-/// NumericalFailure, and the state is as before.
+/// of run.time_step), and at the speeds of the last step nothing would move much further than usual_move. A march
+/// halves it until nothing moves further than that and no cell crosses itself.
 double step_to_try(const State& s, const Parameters& p, const StepLimits& limits);
 
 } // namespace matrigrate

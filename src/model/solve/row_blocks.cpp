@@ -234,10 +234,10 @@ void RowBlocks::residual(const Field& D, const Field& b, const Field& x, Field& 
 }
 
 void RowBlocks::residual(std::span<const double> D, const DoubleField& b, const DoubleField& x, DoubleField& y,
-                         const std::function<void(std::size_t, std::size_t)>& with) const {
+                         const std::function<void(std::size_t, std::size_t)>& then) const {
   each_part([&](const Part& part, std::size_t block) {
     residuals(part.first, part.count, part.distance.data(), part.coefficient.data(), block, m_size, D.data(), b, x, y);
-    if (with) with(block * lanes, std::min(m_size, (block + part.count.size()) * lanes));
+    if (then) then(block * lanes, std::min(m_size, (block + part.count.size()) * lanes));
   });
 }
 

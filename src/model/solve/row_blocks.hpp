@@ -78,9 +78,9 @@ public:
   void residual(const Field& D, const Field& b, const Field& x, Field& y) const;
 
   /// The same in double precision, with one D per row.
-  /// @param with  called with ranges of rows that make up all, when their y is known
+  /// @param then  called with ranges of rows that make up all, once their y is known
   void residual(std::span<const double> D, const DoubleField& b, const DoubleField& x, DoubleField& y,
-                const std::function<void(std::size_t begin, std::size_t end)>& with = {}) const;
+                const std::function<void(std::size_t begin, std::size_t end)>& then = {}) const;
 
 private:
   static constexpr std::size_t blocks_per_part = 64;
