@@ -346,7 +346,7 @@ NamedGrid Grids::of(const FileWords& words, const std::filesystem::path& folder)
   const std::string text = words.text(file, hash);
   if (const auto known = kept([&](const Kept& one) { return one.of.text == text; })) return known->of;
   if (bytes.empty()) read();
-  const NamedGrid named{std::make_shared<const Grid>(read_grid(words, bytes)), words.text(file, hash)};
+  NamedGrid named{std::make_shared<const Grid>(read_grid(words, bytes)), words.text(file, hash)};
   const std::scoped_lock lock(m_mutex);
   std::erase_if(m_kept, [&](const Kept& other) { return other.of.text == named.text; });
   m_kept.insert(m_kept.begin(), {file, version, hash, named});

@@ -40,7 +40,7 @@ std::string time_value(const TimedChange& change) {
 
 /// "2 h 20 min", or in one unit where that would be rounded.
 std::string shown_time(const TimedChange& change) {
-  const std::string text = time_text(change.at);
+  std::string text = time_text(change.at);
   const units::Quantity read = units::parse_quantity(text);
   if (units::to_internal(read.number, units::parse_unit(read.unit)) == change.at) return text;
   return without_quotes(time_value(change));

@@ -26,7 +26,7 @@ struct Place {
   explicit Place(const toml::source_region& source)
       : line(static_cast<int>(source.begin.line)), column(static_cast<int>(source.begin.column)) {}
 
-  auto operator<=>(const Place&) const = default;
+  auto operator<=>(const Place&) const = default; // NOLINT: no null pointer, but the 0 of a comparison
 };
 
 /// The table of a TOML text.   @throws ConfigurationError with one fault if it is none

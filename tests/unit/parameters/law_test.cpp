@@ -250,7 +250,7 @@ TEST(LawFaults, OfConstantsAreToldOnce) {
   const auto of = [](const std::string& constants) {
     const std::string law = "[laws]\npolarization_rate = \"r_pol*x_0\"\ninitiation_bias = \"x_0*ligand\"\n";
     const std::string field = "[ecm.fields]\nligand = \"2\"\n";
-    const std::string told = fault_of(law + "constants = \"" + constants + "\"\n" + field);
+    std::string told = fault_of(law + "constants = \"" + constants + "\"\n" + field);
     EXPECT_EQ(told.find('\n'), std::string::npos) << told;
     return told;
   };

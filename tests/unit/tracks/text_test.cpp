@@ -247,10 +247,7 @@ TEST(TrackIds, ThatMeanNoTrack) {
   const Tracks cells = of_text(plain_head + rows("-1", 2) + rows("1", 3) + rows("0", 3) + rows("-2.0", 1), few());
   EXPECT_EQ(cells.tracks.size(), 2U) << "0 is an id";
   EXPECT_TRUE(notes(cells, "3 positions in no track (id -1, -2) are left out"));
-  for (const char* id : {"", "NaN", "none", "NULL",
-                         "\"\u2212"
-                         "1\"",
-                         "-1.00", "<NA>"})
+  for (const char* id : {"", "NaN", "none", "NULL", "\"\u22121\"", "-1.00", "<NA>"})
     EXPECT_EQ(of_text(plain_head + rows(id, 3) + rows("1", 3), few()).tracks.size(), 1U) << id;
   EXPECT_EQ(of_text(plain_head + rows("-a", 3), few()).tracks.size(), 1U) << "no number";
 }
