@@ -46,7 +46,7 @@ dev | asan | tsan)
   [ "$check" = tsan ] || clang=
   install_packages "$packages_to_build$packages_to_test$clang"
   built
-  export TSAN_OPTIONS=suppressions=$PWD/tools/tsan.supp LSAN_OPTIONS=suppressions=$PWD/tools/lsan.supp
+  export TSAN_OPTIONS=suppressions=$PWD/tools/tsan.supp LSAN_OPTIONS=suppressions=$PWD/tools/lsan.supp:print_suppressions=0
   export ASAN_OPTIONS=allocator_may_return_null=1 # HDF5 asks for memory of any size where a file says so
   ctest --preset "$check" -j "$(nproc)"
   ;;
